@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/shader_code.h"

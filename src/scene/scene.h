@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The scene as plain data. World space: meters, right-handed, +y up; radiance in W/(m2 sr) per linear-sRGB
+// channel. glTF's photometric units map 1:1 to radiant ones per channel: nit -> W/(m2 sr), candela -> W/sr,
+// lux -> W/m2; only ratios matter to an image, and emissive meshes and punctual lights keep theirs.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/image.h"
+#include "core/image_io.h"
+#include "shared/light.h"
+
+namespace luxel {
+
+enum class Wrap { repeat, clamp, mirror };
+
+struct Texture {
+    std::string name;
+    Pixels8 pixels;     // as stored
+    bool srgb = false;  // color data (sRGB curve) or numbers (linear)
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    bool nearest = false;
+};
+
+// A texture as a material uses it. uv' = transform * (u, v, 1).
+struct TextureUse {
+    int texture = -1; // index into Scene::textures; -1 = none
+    int set = 0;      // texcoord set, 0 or 1
+    glm::mat3 transform{1.0f};
+};
+
+enum class AlphaMode { opaque, mask, blend }; // blend is treated as mask at .5, with a warning
+
+struct Material {
+    std::string name;
+    glm::vec4 base_color{1.0f};
+    float metallic = 1.0f, roughness = 1.0f;
+    glm::vec3 emission{0.0f}; // radiance; emissiveFactor x emissive_strength
+    float normal_scale = 1.0f;
+    float ior = 1.5f;
+    float specular = 1.0f;
+    glm::vec3 specular_color{1.0f};
+    float transmission = 0.0f;
+    bool thin = true; // no KHR_materials_volume: light passes without refraction
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
+    TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture, specular_texture,
+        specular_color_texture, transmission_texture;
+};
+
+// One indexed triangle list with one material, in object space. Normals are always present (generated when
+// the file has none); tangents (xyz, handedness) are present when the material has a normal texture.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec4> tangents;      // empty or positions.size()
+    std::vector<glm::vec2> texcoords[2];  // each empty or positions.size()
+    std::vector<glm::vec4> colors;        // linear, empty or positions.size()
+    std::vector<std::uint32_t> indices;   // multiple of 3, every index < positions.size()
+    int material = 0;                     // index into Scene::materials
+};
+
+struct Instance {
+    std::string name;
+    int mesh = 0;
+    glm::mat4 transform{1.0f}; // object to world
+    std::string role;          // free text from the scene file, "" by default
+};
+
+struct Camera {
+    std::string name;
+    glm::vec3 position{0.0f}, forward{0.0f, 0.0f, -1.0f}, up{0.0f, 1.0f, 0.0f}; // unit, up need not be orthogonal
+    float yfov = 0.9f;  // radians, vertical, whole angle
+    float near = 0.01f; // meters
+    float far = 1000.0f;
+};
+
+// Infinitely distant light from an equirectangular map. Direction (0, 1, 0) is the top row; the middle column is -z,
+// u grows to the right seen from inside: u = .5 + atan2(x, -z) / (2 pi), v = acos(y) / pi; before `rotation`.
+struct Environment {
+    Image radiance;        // 3 channels, linear; empty = none
+    float rotation = 0.0f; // radians about +y, counter-clockwise seen from above
+    float scale = 1.0f;
+    bool empty() const { return radiance.empty() || scale <= 0.0f; }
+};
+glm::vec3 evaluate(const Environment& environment, glm::vec3 direction); // nearest texel, times scale
+
+struct Bounds {
+    glm::vec3 least{1e30f}, most{-1e30f};
+    void add(glm::vec3 p) { least = glm::min(least, p), most = glm::max(most, p); }
+    bool empty() const { return least.x > most.x; }
+    glm::vec3 center() const { return (least + most) * 0.5f; }
+    float radius() const { return empty() ? 0.0f : glm::length(most - least) * 0.5f; }
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<shared::Light> lights; // punctual only; emissive meshes are found through materials
+    std::vector<Camera> cameras;       // never empty after load_scene
+    Environment environment;
+    std::vector<std::string> warnings; // one sentence each; e.g. a missing texture that was substituted
+
+    Bounds bounds() const; // world
+    std::size_t triangles() const;
+};
+
+// A position and a direction basis for pixel rays; the frame uses the same numbers.
+// Ray through pixel (x, y) of width x height at sub-pixel offset `jitter` in [0, 1)^2, (.5, .5) = center:
+// direction = forward + right * (2 (x + jitter.x) / width - 1) * tan(yfov / 2) * width / height
+//                     - up * ... (row 0 on top); not normalized: its component along `forward` is 1.
+struct CameraBasis {
+    glm::vec3 position, forward, right, up; // right and up already scaled by the half extents at distance 1
+};
+CameraBasis camera_basis(const Camera& camera, int width, int height);
+inline glm::vec3 pixel_direction(const CameraBasis& b, int width, int height, glm::vec2 pixel) {
+    return b.forward + b.right * (2.0f * pixel.x / float(width) - 1.0f) - b.up * (2.0f * pixel.y / float(height) - 1.0f);
+}
+
+} // namespace luxel

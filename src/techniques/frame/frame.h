@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What every frame offers to a technique.
+#pragma once
+#include "core/parameters.h"
+#include "gpu/recorder.h"
+#include "scene/scene.h"
+#include "techniques/frame/gpu_scene.h"
+#include "techniques/frame/view_params.h"
+
+namespace luxel {
+
+// Full-size images of the visible surfaces; background pixels have depth 0.
+struct GBuffer {
+    gpu::Image diffuse;  // RGBA16F: Brdf::diffuse (albedo of the Lambertian lobe), a = perceptual roughness
+    gpu::Image specular; // RGBA16F: Brdf::f0, a = f90
+    gpu::Image normal;   // RGBA16F: world shading normal facing the camera's side, a = 1 where there is a surface
+    gpu::Image geometric_normal; // RGBA16F: world normal of the triangle, toward the camera
+    gpu::Image depth;    // R32F: distance along the view direction ("linear eye z"), meters; 0 = background
+    gpu::Image hardware_depth; // D32F
+};
+
+struct Frame {
+    std::uint32_t width = 0, height = 0;
+    shared::ViewParams view; // camera as shaders read it; world position = position + depth * pixel_direction
+    Camera camera;
+    const GpuScene* scene = nullptr;
+    GBuffer gbuffer;
+    gpu::Image direct;         // RGBA32F: direct radiance toward the camera, emission included, without ambient
+    gpu::Image direct_diffuse; // RGBA32F: the part of it that the Lambertian lobe reflects (no emission, no specular)
+    gpu::Image ambient;        // RGBA32F: unoccluded environment light off the diffuse lobe; black without
+};
+
+enum class ShadowMode { hard, pcf, esm };
+// How the environment lights the frame: not at all, as SH irradiance times the occlusion slot, or as shadowed
+// directional lights drawn by importance.
+enum class EnvironmentMode { none, ambient, lights };
+
+struct FrameOptions {
+    ShadowMode shadow = ShadowMode::pcf;
+    int shadow_size = 2048;      // texels a side
+    float esm_exponent = 90.0f;  // for light depth in [0, 1]
+    int emitter_lights = 64;     // cosine-emitting samples of emissive meshes
+    EnvironmentMode environment = EnvironmentMode::lights;
+    int environment_lights = 32;
+    int seed = 1;
+    bool mipmaps = true; // false: mip 0 only, as the reference looks textures up
+    void visit(Visitor& v);
+};
+
+} // namespace luxel
