@@ -8,12 +8,17 @@
 namespace luxel {
 
 struct Surface {
-    glm::vec3 position;         // world; on the triangle
+    glm::vec3 position;         // world; on the triangle, a few clearances inside its edges
+    float offset;               // meters along the geometric normal that clear all rounding of `position`
     glm::vec3 geometric_normal; // unit, by winding (not flipped)
-    glm::vec3 normal;           // unit shading normal incl. normal map, in the hemisphere of geometric_normal
+    glm::vec3 normal; // unit shading normal incl. normal map; on the ray's side it is shared::facing_normal,
+                      // so it lies in the hemispheres of geometric_normal and of the ray's origin
     const Material* material;
-    shared::Brdf brdf;
-    float metallic, roughness, transmission;
+    shared::Brdf brdf; // scaled by 1 - transmission
+    float metallic, roughness;
+    float transmission; // share of the surface that is a smooth dielectric, metals excluded
+    float specular;     // KHR_materials_specular, textures included
+    glm::vec3 specular_color;
     glm::vec3 base_color; // linear, texture x factor x vertex color
     glm::vec3 emission;   // radiance of the front side (of both sides if double_sided)
     bool front;           // the ray came from the side that geometric_normal points to
@@ -22,7 +27,24 @@ struct Surface {
 // direction: of the ray that hit.
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction);
 
+// Radiance that leaves the front of a triangle at barycentric (u, v).
+glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
+
+// Whether the material's alpha mask leaves a hole at barycentric (u, v).
+bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
+
 // RGBA in [0, 1], linear (srgb textures decoded). Texel (0, 0) is the top left; uv (0, 0) is its corner.
 glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv);
+
+// The one way a position gets to world space: equal inputs give equal bits everywhere.
+inline glm::vec3 transform_point(const glm::mat4& m, glm::vec3 p) {
+    return glm::vec3(m[0]) * p.x + glm::vec3(m[1]) * p.y + glm::vec3(m[2]) * p.z + glm::vec3(m[3]);
+}
+
+// Outside this distance from a triangle whose largest vertex coordinate is `magnitude`, rounding cannot put a
+// ray's origin on the wrong side of it.
+inline float clearance(float magnitude) {
+    return magnitude * 3.8147e-6f;
+} // 64 x 2^-24, see docs/reference.md
 
 } // namespace luxel

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The surface model: a Lambertian diffuse lobe plus one GGX specular lobe (glTF 2.0 metallic-roughness).
-// The diffuse lobe's albedo does not depend on direction, so that every technique agrees on what "diffuse" is:
-// glTF's (1 - F(v.h)) factor is replaced by its cosine-weighted hemispherical mean, 1 - (f0 + (f90 - f0)/21).
+// The diffuse lobe's albedo does not depend on direction, so that every technique agrees on what "diffuse"
+// is: glTF's (1 - F(v.h)) factor is replaced by its cosine-weighted hemispherical mean, 1 - (f0 + (f90 -
+// f0)/21).
 #ifndef LUXEL_SHARED_BRDF_H
 #define LUXEL_SHARED_BRDF_H
 #include "shared/glsl.h"
@@ -14,7 +15,8 @@ struct Brdf {
     float alpha;  // GGX width = perceptual roughness squared; clamped to MIN_ALPHA by make_brdf
 };
 
-// Below this perceptual roughness a metal is an ideal mirror and a dielectric's specular lobe is clamped to it.
+// Below this perceptual roughness a metal is an ideal mirror and a dielectric's specular lobe is clamped to
+// it.
 LUXEL_CONST float MIRROR_ROUGHNESS = 0.02f;
 LUXEL_CONST float MIN_ALPHA = 0.0004f;
 
@@ -39,10 +41,33 @@ LUXEL_FN vec3 fresnel_schlick(vec3 f0, vec3 f90, float cos_theta) {
     return f0 + (f90 - f0) * (m2 * m2 * m);
 }
 
-// GGX normal distribution [Walter2007, eq. 33]. cos_h = n.h.
-LUXEL_FN float ggx_d(float cos_h, float alpha) {
+// The same surface, a share of it only: every lobe times `share`.
+LUXEL_FN Brdf scale_brdf(Brdf b, float share) {
+    b.diffuse = b.diffuse * share;
+    b.f0 = b.f0 * share;
+    b.f90 = b.f90 * share;
+    return b;
+}
+
+// A shading normal that interpolation or a normal map turned away is bent back, so that it lies in the
+// hemispheres of the geometric normal ng and of the direction to the viewer wo (both on one side: dot(ng, wo)
+// >= 0).
+LUXEL_CONST float LEAST_FACING_COSINE = 0.01f;
+LUXEL_FN vec3 facing_normal(vec3 n, vec3 ng, vec3 wo) {
+    float c = dot(n, ng);
+    if (c < LEAST_FACING_COSINE) n = normalize(n + ng * (LEAST_FACING_COSINE - c));
+    c = dot(n, wo);
+    if (c < LEAST_FACING_COSINE) n = normalize(n + wo * (LEAST_FACING_COSINE - c));
+    return n;
+}
+
+// GGX normal distribution [Walter2007, eq. 33]. The sine comes from the cross product: 1 - cos^2 would have
+// no digits left where alpha is small.
+LUXEL_FN float ggx_d(vec3 n, vec3 h, float alpha) {
     float a2 = alpha * alpha;
-    float t = cos_h * cos_h * (a2 - 1.0f) + 1.0f;
+    float c = dot(n, h);
+    vec3 s = cross(n, h);
+    float t = c * c * a2 + dot(s, s);
     return a2 / (PI * t * t);
 }
 
@@ -60,7 +85,7 @@ LUXEL_FN vec3 evaluate_specular(Brdf b, vec3 n, vec3 wo, vec3 wi) {
     float cos_o = dot(n, wo);
     if (cos_i <= 0.0f || cos_o <= 0.0f) return vec3(0.0f);
     vec3 h = normalize(wi + wo);
-    float d = ggx_d(clamp(dot(n, h), 0.0f, 1.0f), b.alpha);
+    float d = ggx_d(n, h, b.alpha);
     return fresnel_schlick(b.f0, b.f90, dot(wo, h)) * (d * ggx_v(cos_i, cos_o, b.alpha));
 }
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Every instance becomes one Embree geometry in world space: one level to traverse, and edges that meet in
+// the scene meet bit for bit in the tree, so that the robust intersector leaves no cracks.
+#include "scene/raycast.h"
+
+#include <vector>
+
+#include <embree3/rtcore.h>
+
+#include "core/error.h"
+#include "scene/surface.h"
+
+namespace luxel {
+namespace {
+
+// What the alpha filter of one geometry needs to know.
+struct MaskedInstance {
+    const Scene* scene;
+    std::uint32_t instance;
+};
+
+// Rejects hits of texels below the cutoff.
+void reject_transparent(const RTCFilterFunctionNArguments* arguments) {
+    const auto& masked = *static_cast<const MaskedInstance*>(arguments->geometryUserPtr);
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, i);
+        glm::vec2 uv(RTCHitN_u(arguments->hit, arguments->N, i), RTCHitN_v(arguments->hit, arguments->N, i));
+        if (is_transparent(*masked.scene, masked.instance, triangle, uv)) arguments->valid[i] = 0;
+    }
+}
+
+RTCRay embree_ray(const Ray& ray) {
+    RTCRay r;
+    r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+    r.tnear = ray.t_min, r.tfar = ray.t_max;
+    r.time = 0.0f;
+    r.mask = ~0u;
+    r.id = r.flags = 0;
+    return r;
+}
+
+} // namespace
+
+struct RayCaster::Data {
+    explicit Data(const Scene& s) : scene(&s) {}
+    ~Data() {
+        if (tree) rtcReleaseScene(tree);
+        if (device) rtcReleaseDevice(device);
+    }
+    Data(const Data&) = delete;
+    Data& operator=(const Data&) = delete;
+
+    void add(std::uint32_t instance);
+    void check(const char* what) const;
+
+    const Scene* scene;
+    RTCDevice device = nullptr;
+    RTCScene tree = nullptr;
+    std::vector<float> winding;         // per instance: -1 where the transform mirrors
+    std::vector<MaskedInstance> masked; // per instance, for the filters
+};
+
+void RayCaster::Data::check(const char* what) const {
+    RTCError error = rtcGetDeviceError(device);
+    if (error != RTC_ERROR_NONE)
+        fail(Fault::resource, "{}: ray casting: {} failed (Embree error {}); is there enough memory?",
+             scene->name, what, int(error));
+}
+
+void RayCaster::Data::add(std::uint32_t index) {
+    const Instance& instance = scene->instances[index];
+    const Mesh& mesh = scene->meshes[std::size_t(instance.mesh)];
+    winding[index] = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    if (mesh.indices.empty()) return;
+
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
+    check("memory for vertices");
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        vertices[i] = transform_point(instance.transform, mesh.positions[i]);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices.data(), 0,
+                               3 * sizeof(std::uint32_t), mesh.indices.size() / 3);
+
+    // A filter costs time on every candidate hit: only geometries that may have holes get one.
+    if (scene->materials[std::size_t(mesh.material)].alpha_mode != AlphaMode::opaque) {
+        masked[index] = {scene, index};
+        rtcSetGeometryUserData(geometry, &masked[index]);
+        rtcSetGeometryIntersectFilterFunction(geometry, reject_transparent);
+        rtcSetGeometryOccludedFilterFunction(geometry, reject_transparent);
+    }
+    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(tree, geometry, index);
+    rtcReleaseGeometry(geometry);
+    check("adding a mesh");
+}
+
+RayCaster::RayCaster(const Scene& scene) : data_(std::make_unique<Data>(scene)) {
+    data_->device = rtcNewDevice(nullptr);
+    if (!data_->device)
+        fail(Fault::resource, "{}: ray casting: Embree has no device on this processor", scene.name);
+    data_->tree = rtcNewScene(data_->device);
+    rtcSetSceneBuildQuality(data_->tree, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneFlags(data_->tree, RTC_SCENE_FLAG_ROBUST);
+    data_->winding.resize(scene.instances.size());
+    data_->masked.resize(scene.instances.size());
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) data_->add(i);
+    rtcCommitScene(data_->tree);
+    data_->check("building the tree");
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+bool RayCaster::intersect(const Ray& ray, Hit& hit) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query;
+    query.ray = embree_ray(ray);
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(data_->tree, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    hit.t = query.ray.tfar;
+    hit.instance = query.hit.geomID;
+    hit.triangle = query.hit.primID;
+    hit.u = query.hit.u, hit.v = query.hit.v;
+    hit.geometric_normal =
+        glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z) * data_->winding[hit.instance];
+    return true;
+}
+
+bool RayCaster::occluded(const Ray& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay query = embree_ray(ray);
+    rtcOccluded1(data_->tree, &context, &query);
+    return query.tfar < 0.0f; // Embree's mark for "something is in the way"
+}
+
+const Scene& RayCaster::scene() const { return *data_->scene; }
+void* RayCaster::embree_scene() const { return data_->tree; }
+
+} // namespace luxel
