@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Procedural geometry: known areas and volumes, consistent winding, subdivision, the scenes by name.
+#include "scene/procedural.h"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/load.h"
+#include "scene/procedural_builtin.h"
+
+namespace luxel {
+namespace {
+
+constexpr double pi = 3.14159265358979;
+
+struct Measures {
+    double area = 0, volume = 0; // volume is positive where the front faces outward
+    float worst_agreement = 1;   // least cosine of a vertex normal to its face's
+};
+
+Measures measure(const Mesh& mesh) {
+    Measures m;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const std::uint32_t* t = &mesh.indices[i];
+        const glm::vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+        const glm::vec3 cross = glm::cross(b - a, c - a);
+        m.area += 0.5 * double(glm::length(cross));
+        m.volume += double(glm::dot(a, glm::cross(b, c))) / 6.0;
+        for (int k = 0; k < 3; ++k)
+            m.worst_agreement =
+                std::min(m.worst_agreement, glm::dot(mesh.normals[t[k]], glm::normalize(cross)));
+    }
+    return m;
+}
+
+TEST(Procedural, SolidsHaveTheirVolumeAndFaceOutward) {
+    Mesh box, sphere, cylinder, cone, torus;
+    add_box(box, {-1, 0, 2}, {1, 3, 2.5f});
+    add_sphere(sphere, {3, 1, 0}, 0.5f, 128, 64);
+    add_cylinder(cylinder, {1, 2, 3}, 0.5f, 2.0f, 128);
+    add_cone(cone, {1, 2, 3}, 0.5f, 2.0f, 128);
+    add_torus(torus, {0, 1, 0}, 1.0f, 0.25f, 128, 64);
+
+    // The inscribed polyhedra lose of the order of (2 pi / slices)^2 / 6 = 4e-4 of the round solids' volume.
+    EXPECT_NEAR(measure(box).volume, 3.0, 1e-5);
+    EXPECT_NEAR(measure(sphere).volume / (4.0 / 3.0 * pi * 0.125), 1.0, 2e-3);
+    EXPECT_NEAR(measure(cylinder).volume / (pi * 0.25 * 2.0), 1.0, 1e-3);
+    EXPECT_NEAR(measure(cone).volume / (pi * 0.25 * 2.0 / 3.0), 1.0, 1e-3);
+    EXPECT_NEAR(measure(torus).volume / (2.0 * pi * pi * 1.0 * 0.0625), 1.0, 4e-3);
+    for (const Mesh* mesh : {&box, &sphere, &cylinder, &cone, &torus}) {
+        EXPECT_GT(measure(*mesh).worst_agreement, 0.99f);
+        EXPECT_EQ(mesh->texcoords[0].size(), mesh->positions.size());
+    }
+}
+
+TEST(Procedural, FurnaceIsClosedAndFacesInward) {
+    const Scene scene = furnace(0.5f, 3.0f);
+    const Measures m = measure(scene.meshes[0]);
+    EXPECT_NEAR(m.volume, -8.0, 1e-5);
+    EXPECT_NEAR(m.area, 24.0, 1e-5);
+    EXPECT_GT(m.worst_agreement, 0.999f);
+    EXPECT_EQ(scene.materials[0].emission, glm::vec3(3.0f));
+}
+
+TEST(Procedural, CornellHasItsDimensions) {
+    const Scene scene = cornell();
+    EXPECT_EQ(scene.triangles(), 36u);
+    const Bounds bounds = scene.bounds();
+    EXPECT_LT(glm::length(bounds.least - glm::vec3(-1, 0, -1)), 1e-5f);
+    EXPECT_LT(glm::length(bounds.most - glm::vec3(1, 2, 1)), 1e-5f);
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        const Measures m = measure(mesh);
+        EXPECT_GT(m.worst_agreement, 0.999f) << instance.name;
+
+        // Both boxes have a base of .6 m x .6 m to the rounding of the table, and heights of .6 and 1.2 m.
+        if (instance.name == "short box") {
+            EXPECT_NEAR(m.volume, 0.36 * 0.6, 0.01);
+        }
+        if (instance.name == "tall box") {
+            EXPECT_NEAR(m.volume, 0.36 * 1.2, 0.02);
+        }
+
+        // The room and the lamp face its middle.
+        const glm::vec3 toward_middle = glm::vec3(0, 1, 0) - mesh.positions[0];
+        if (mesh.indices.size() == 6) {
+            EXPECT_GT(glm::dot(mesh.normals[0], toward_middle), 0.0f) << instance.name;
+        }
+    }
+}
+
+TEST(Procedural, SubdivisionKeepsTheSurface) {
+    Scene coarse = shapes(ShapesLight::point);
+    for (Mesh& mesh : coarse.meshes) {
+        mesh.tangents.assign(mesh.positions.size(), glm::vec4(1, 0, 0, -1));
+        mesh.texcoords[1] = mesh.texcoords[0];
+        mesh.colors.assign(mesh.positions.size(), glm::vec4(0.25f));
+    }
+    const Scene fine = subdivide(coarse, 2);
+    EXPECT_EQ(fine.triangles(), 16 * coarse.triangles());
+    for (std::size_t i = 0; i < fine.meshes.size(); ++i) {
+        const Mesh &a = coarse.meshes[i], &b = fine.meshes[i];
+        const Measures ma = measure(a), mb = measure(b);
+        EXPECT_NEAR(ma.area, mb.area, 1e-4 * ma.area);
+        EXPECT_NEAR(ma.volume, mb.volume, 1e-4 * (1.0 + std::abs(ma.volume)));
+        for (const std::size_t size : {b.normals.size(), b.tangents.size(), b.texcoords[0].size(),
+                                       b.texcoords[1].size(), b.colors.size()})
+            EXPECT_EQ(size, b.positions.size());
+        for (const glm::vec3& n : b.normals) EXPECT_NEAR(glm::length(n), 1.0f, 1e-5f);
+        for (const glm::vec4& t : b.tangents) EXPECT_EQ(t, glm::vec4(1, 0, 0, -1));
+        for (const glm::vec4& c : b.colors) EXPECT_EQ(c, glm::vec4(0.25f));
+    }
+}
+
+TEST(Procedural, SubdivisionInterpolatesTextureCoordinates) {
+    Scene scene;
+    scene.meshes.emplace_back();
+    scene.instances.emplace_back();
+    add_quad(scene.meshes[0], {0, 0, 0}, {2, 0, 0}, {0, 4, 0});
+    const Mesh fine = subdivide(scene, 3).meshes[0];
+    EXPECT_EQ(fine.positions.size(), 81u); // shared midpoints: (2^3 + 1)^2
+    for (std::size_t i = 0; i < fine.positions.size(); ++i) {
+        EXPECT_FLOAT_EQ(fine.texcoords[0][i].x, fine.positions[i].x / 2);
+        EXPECT_FLOAT_EQ(fine.texcoords[0][i].y, fine.positions[i].y / 4);
+    }
+}
+
+TEST(Procedural, EveryListedNameLoads) {
+    std::set<std::string> names;
+    for (const BuiltinScene& entry : builtin_scenes()) {
+        const Scene scene = builtin_scene(entry.name);
+        EXPECT_EQ(scene.name, entry.name);
+        EXPECT_GT(scene.triangles(), 0u);
+        EXPECT_FALSE(scene.cameras.empty());
+        EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    }
+    EXPECT_EQ(builtin_scene("furnace-0.8").materials[0].base_color.r, 0.8f);
+    EXPECT_EQ(builtin_scene("cornell-x16").triangles(), 36u * 16u);
+    EXPECT_EQ(builtin_scene("furnace-0.9-x4").triangles(), 48u);
+}
+
+TEST(Procedural, UnknownNameListsTheKnownOnes) {
+    try {
+        builtin_scene("cornel");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::bad_input);
+        EXPECT_NE(std::string(error.what()).find("sphere-in-box"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace luxel
