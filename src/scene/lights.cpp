@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Area lights as one-sided cosine emitters: found in the meshes, then sampled by power.
+#include "scene/lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "scene/surface.h"
+#include "shared/random.h"
+#include "shared/sampling.h"
+
+namespace luxel {
+namespace {
+
+using shared::Light;
+
+// Samples per edge for the mean of a texture over a triangle: about one per texel, within reason.
+constexpr int max_mean_steps = 64;
+
+int mean_steps(const Scene& scene, const Mesh& mesh, const TextureUse& use, const std::uint32_t* triangle) {
+    if (use.texture < 0 || mesh.texcoords[use.set].empty()) return 1;
+    const Pixels8& pixels = scene.textures[std::size_t(use.texture)].pixels;
+    const glm::vec2 size(pixels.width, pixels.height);
+    float longest = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const glm::vec2 a = mesh.texcoords[use.set][triangle[k]],
+                        b = mesh.texcoords[use.set][triangle[(k + 1) % 3]];
+        longest = std::max(longest, glm::length(glm::vec2(use.transform * glm::vec3(b - a, 0.0f)) * size));
+    }
+    return int(std::clamp(std::ceil(longest), 1.0f, float(max_mean_steps)));
+}
+
+// Mean of emission over a triangle, by the centroids of n x n equal parts; holes of an alpha mask emit
+// nothing.
+glm::vec3 mean_emission(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, int n) {
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; i + j < n; ++j) {
+            // Each cell holds an upright part and, except along the hypotenuse, one that is turned around.
+            for (int turned = 0; turned < (i + j + 1 < n ? 2 : 1); ++turned) {
+                const float third = turned ? 2.0f / 3.0f : 1.0f / 3.0f;
+                const glm::vec2 uv((float(i) + third) / float(n), (float(j) + third) / float(n));
+                if (!is_transparent(scene, instance, triangle, uv))
+                    sum += emission_at(scene, instance, triangle, uv);
+            }
+        }
+    }
+    return sum / float(n * n);
+}
+
+void append_instance(const Scene& scene, std::uint32_t index, std::vector<EmissiveTriangle>& found) {
+    const Instance& instance = scene.instances[index];
+    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    const Material& material = scene.materials[std::size_t(mesh.material)];
+    if (luminance(material.emission) <= 0.0f) return;
+
+    const float winding = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        const std::uint32_t* k = &mesh.indices[std::size_t(t) * 3];
+        EmissiveTriangle e{};
+        e.a = transform_point(instance.transform, mesh.positions[k[0]]);
+        e.b = transform_point(instance.transform, mesh.positions[k[1]]);
+        e.c = transform_point(instance.transform, mesh.positions[k[2]]);
+
+        // Without area or light it would only be a hole in the distributions built from this list.
+        const glm::vec3 cross = glm::cross(e.b - e.a, e.c - e.a);
+        const float length = glm::length(cross);
+        if (!(length > 0.0f)) continue;
+        const int steps = std::max(mean_steps(scene, mesh, material.emission_texture, k),
+                                   material.alpha_mode == AlphaMode::opaque
+                                       ? 1
+                                       : mean_steps(scene, mesh, material.base_color_texture, k));
+        e.emission = mean_emission(scene, index, t, steps);
+        if (luminance(e.emission) <= 0.0f) continue;
+
+        e.normal = cross * (winding / length);
+        e.area = length * 0.5f;
+        e.two_sided = material.double_sided;
+        e.instance = int(index);
+        e.triangle = t;
+        found.push_back(e);
+    }
+}
+
+// Uniform in area, and neighbors in the square stay neighbors [Heitz2019].
+glm::vec2 square_to_triangle(glm::vec2 u) {
+    if (u.y > u.x) {
+        u.x *= 0.5f;
+        u.y -= u.x;
+    } else {
+        u.y *= 0.5f;
+        u.x -= u.y;
+    }
+    return u;
+}
+
+float side_power(const EmissiveTriangle& e) { return luminance(e.emission) * e.area; }
+
+// The samples of one side of one triangle: a low-discrepancy set of their own, shifted by the seed.
+void append_side(const EmissiveTriangle& e, float side, int count, float intensity_scale, float lift,
+                 std::uint32_t seed, std::vector<Light>& lights) {
+    const glm::vec2 shift(
+        shared::uniform_float(shared::hash3(seed, e.triangle, std::uint32_t(e.instance) * 2u)),
+        shared::uniform_float(shared::hash3(seed, e.triangle, std::uint32_t(e.instance) * 2u + 1u)));
+    for (int i = 0; i < count; ++i) {
+        const glm::vec2 u = glm::fract(shared::hammersley(std::uint32_t(i), std::uint32_t(count)) + shift);
+        const glm::vec2 b = square_to_triangle(u);
+        Light light{};
+        light.type = shared::LIGHT_COSINE;
+        light.direction = e.normal * side;
+        light.position = e.a + (e.b - e.a) * b.x + (e.c - e.a) * b.y + light.direction * lift;
+        light.intensity = e.emission * intensity_scale;
+        lights.push_back(light);
+    }
+}
+
+} // namespace
+
+std::vector<EmissiveTriangle> emissive_triangles(const Scene& scene) {
+    std::vector<EmissiveTriangle> found;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) append_instance(scene, i, found);
+    return found;
+}
+
+std::vector<Light> emitter_sample_lights(const Scene& scene, int count, std::uint32_t seed) {
+    LUXEL_ASSERT(count > 0, "count={}", count);
+    const std::vector<EmissiveTriangle> emitters = emissive_triangles(scene);
+    double total = 0.0;
+    for (const EmissiveTriangle& e : emitters) total += double(side_power(e)) * (e.two_sided ? 2.0 : 1.0);
+    std::vector<Light> lights;
+    if (!(total > 0.0)) return lights;
+    lights.reserve(std::size_t(count));
+
+    // Systematic sampling of the power CDF: sample i lies at (i + offset) / count, so a side that holds the
+    // share p of the power gets count x p samples to within one. Each carries the power total / count.
+    const double offset = double(shared::uniform_float(shared::hash2(seed, 0x6c696768u)));
+    const float lift = 1e-4f * scene.bounds().radius();
+    double below = 0.0;
+    const auto samples_below = [&](double power) {
+        return std::clamp(int(std::ceil(power / total * count - offset)), 0, count);
+    };
+    for (std::size_t i = 0; i < emitters.size(); ++i) {
+        const EmissiveTriangle& e = emitters[i];
+        const float scale = float(total / count) / luminance(e.emission);
+        for (const float side : {1.0f, -1.0f}) {
+            if (side < 0.0f && !e.two_sided) continue;
+            const bool last = i + 1 == emitters.size() && (side < 0.0f || !e.two_sided);
+            const double above = below + double(side_power(e));
+            const int first = samples_below(below), end = last ? count : samples_below(above);
+            append_side(e, side, end - first, scale, lift, seed, lights);
+            below = above;
+        }
+    }
+    return lights;
+}
+
+} // namespace luxel

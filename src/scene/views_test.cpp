@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Default cameras frame the scene; drawn views are inside, level and the same for a seed.
+#include "scene/views.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/procedural.h"
+
+namespace luxel {
+namespace {
+
+TEST(Views, DefaultCamerasFrameTheBounds) {
+    const Scene scene = shapes(ShapesLight::point);
+    const std::vector<Camera> cameras = default_cameras(scene);
+    ASSERT_EQ(cameras.size(), 3u);
+    const Bounds bounds = scene.bounds();
+    for (const Camera& camera : cameras) {
+        EXPECT_GT(camera.position.y, bounds.most.y);
+        const CameraBasis basis = camera_basis(camera, 1, 1);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 p(corner & 1 ? bounds.least.x : bounds.most.x,
+                              corner & 2 ? bounds.least.y : bounds.most.y,
+                              corner & 4 ? bounds.least.z : bounds.most.z);
+            const float depth = glm::dot(p - camera.position, camera.forward);
+            EXPECT_GT(depth, camera.near);
+            EXPECT_LT(depth, camera.far);
+            for (const glm::vec3 axis : {basis.right, basis.up})
+                EXPECT_LE(std::abs(glm::dot(p - camera.position, axis)) / glm::dot(axis, axis),
+                          depth * 1.0001f);
+        }
+    }
+}
+
+TEST(Views, DrawnViewsAreInsideAndLevel) {
+    for (const Scene& scene : {cornell(), furnace(0.5f), sphere_in_box()}) {
+        const RayCaster rays(scene);
+        const std::vector<Camera> views = draw_views(scene, rays, 6, 42);
+        ASSERT_EQ(views.size(), 6u);
+        const Bounds bounds = scene.bounds();
+        for (const Camera& view : views) {
+            EXPECT_TRUE(glm::all(glm::greaterThan(view.position, bounds.least)));
+            EXPECT_TRUE(glm::all(glm::lessThan(view.position, bounds.most)));
+            EXPECT_NEAR(glm::length(view.forward), 1.0f, 1e-5f);
+            EXPECT_LT(std::abs(view.forward.y), 0.35f);
+
+            // Outside of every solid, all that can be seen is front faces or the open side.
+            Hit hit;
+            if (rays.intersect({view.position, view.forward}, hit)) {
+                EXPECT_LT(glm::dot(hit.geometric_normal, view.forward), 0.0f);
+            }
+        }
+    }
+}
+
+// A closed solid seen from within shows only back faces, one seen from without leaves most rays empty.
+TEST(Views, NoViewInsideASolid) {
+    Scene scene;
+    scene.name = "solid";
+    scene.materials.emplace_back();
+    scene.meshes.emplace_back();
+    scene.instances.emplace_back();
+    add_box(scene.meshes[0], glm::vec3(-1.0f), glm::vec3(1.0f));
+    const RayCaster rays(scene);
+    try {
+        draw_views(scene, rays, 1, 7);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::bad_input);
+    }
+}
+
+TEST(Views, SameSeedSameViews) {
+    const Scene scene = cornell();
+    const RayCaster rays(scene);
+    const std::vector<Camera> a = draw_views(scene, rays, 4, 9), b = draw_views(scene, rays, 4, 9),
+                              c = draw_views(scene, rays, 4, 10), longer = draw_views(scene, rays, 8, 9);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].position, b[i].position);
+        EXPECT_EQ(a[i].position, longer[i].position);
+        EXPECT_NE(a[i].position, c[i].position);
+    }
+}
+
+} // namespace
+} // namespace luxel
