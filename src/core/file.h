@@ -8,15 +8,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace luxel {
 
-// Whole regular file, at most `limit` bytes. Error: Fault::io (cannot open), Fault::bad_input (too large, no file).
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file, std::uint64_t limit = std::uint64_t(2) << 30);
+// Whole regular file, at most `limit` bytes. Error: Fault::io (cannot open), Fault::bad_input (too large, no
+// file).
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file, std::uint64_t limit = std::uint64_t(2)
+                                                                                             << 30);
 
-// Opens files beneath one folder only: no "..", no absolute path, no symlink, no device, FIFO or directory
-// (openat2 with RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS where the kernel has it).
+// Opens files beneath one folder only: no "..", no absolute path, no symlink, no device, FIFO or directory.
+// The path is walked one component at a time without following links, which no concurrent rename can escape.
 class Folder {
 public:
     explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
@@ -29,7 +32,8 @@ private:
 };
 
 // Calls write(temporary path beside `file`), syncs and renames; on an exception the temporary is removed.
-void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(const std::filesystem::path&)>& write);
 void write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& file, std::string_view text);
 

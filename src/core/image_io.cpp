@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Image files by content.
+#include "core/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/codec.h"
+#include "core/error.h"
+#include "core/file.h"
+
+namespace luxel {
+namespace codec {
+
+Format format_of(std::span<const std::uint8_t> bytes) {
+    const auto starts = [&](std::string_view magic) {
+        return bytes.size() >= magic.size() &&
+               std::equal(magic.begin(), magic.end(), bytes.begin(),
+                          [](char a, std::uint8_t b) { return std::uint8_t(a) == b; });
+    };
+    if (starts("\x76\x2f\x31\x01")) return Format::exr;
+    if (starts("\x89PNG\r\n\x1a\n")) return Format::png;
+    if (starts("\xff\xd8\xff")) return Format::jpeg;
+    if (starts("#?")) return Format::radiance;
+    return Format::unknown;
+}
+
+} // namespace codec
+
+namespace {
+
+using codec::Format;
+
+// The decoders give the reason; the sentence starts with the file.
+template <class Decode> auto named(const std::string& name, Decode&& decode) {
+    try {
+        return decode();
+    } catch (const Error& error) {
+        fail(error.fault(), "{}: {}", name, error.what());
+    }
+}
+
+Image three_channels(const Image& image) {
+    Image color(image.width, image.height, 3);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) color.set_rgb(x, y, image.rgb(x, y));
+    return color;
+}
+
+// The unnamed layer, or the only one.
+Image main_layer(ExrFile file, const std::string& name) {
+    const auto unnamed = file.layers.find("");
+    if (unnamed == file.layers.end() && file.layers.size() != 1) {
+        std::string names;
+        for (const auto& [layer, image] : file.layers) names += (names.empty() ? "" : ", ") + layer;
+        fail(Fault::bad_input, "{}: no layer without a name among {}", name, names);
+    }
+    Image image = std::move(unnamed != file.layers.end() ? unnamed->second : file.layers.begin()->second);
+    return image.channels == 4 ? three_channels(image) : image;
+}
+
+Image linear(const Pixels8& pixels) {
+    std::array<float, 256> table;
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_decode(float(i) / 255.0f);
+    Image image(pixels.width, pixels.height, 3);
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+        for (std::size_t c = 0; c < 3; ++c) image.data[3 * i + c] = table[pixels.rgba[4 * i + c]];
+    return image;
+}
+
+} // namespace
+
+Pixels8 decode_pixels(std::span<const std::uint8_t> bytes, const std::string& name) {
+    const Format format = codec::format_of(bytes);
+    if (format != Format::png && format != Format::jpeg)
+        fail(Fault::bad_input, "{}: neither PNG nor JPEG", name);
+    return named(
+        name, [&] { return format == Format::png ? codec::decode_png(bytes) : codec::decode_jpeg(bytes); });
+}
+
+Image decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
+    const Format format = codec::format_of(bytes);
+    if (format == Format::radiance) return named(name, [&] { return codec::decode_radiance(bytes); });
+    if (format != Format::exr) fail(Fault::bad_input, "{}: neither OpenEXR nor Radiance", name);
+    return main_layer(named(name, [&] { return codec::decode_exr(bytes); }), name);
+}
+
+Image read_image(const std::filesystem::path& file) {
+    const std::vector<std::uint8_t> bytes = read_file(file);
+    const Format format = codec::format_of(bytes);
+    if (format == Format::unknown)
+        fail(Fault::bad_input, "{}: not OpenEXR, Radiance, PNG or JPEG", file.string());
+    if (format == Format::png || format == Format::jpeg) return linear(decode_pixels(bytes, file.string()));
+    Image image = decode_hdr(bytes, file.string());
+    return image.channels == 3 ? image : three_channels(image);
+}
+
+ExrFile read_exr(const std::filesystem::path& file) {
+    const std::vector<std::uint8_t> bytes = read_file(file);
+    if (codec::format_of(bytes) != Format::exr) fail(Fault::bad_input, "{}: not OpenEXR", file.string());
+    return named(file.string(), [&] { return codec::decode_exr(bytes); });
+}
+
+} // namespace luxel
