@@ -85,7 +85,7 @@ function(luxel_shaders)
       get_filename_component(output_folder ${output} DIRECTORY)
       file(MAKE_DIRECTORY ${output_folder})
       add_custom_command(OUTPUT ${output}
-          COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${CMAKE_SOURCE_DIR}/src -MD -MF ${output}.d
+          COMMAND ${GLSLC} --target-env=vulkan1.3 -O0 -Werror -I ${CMAKE_SOURCE_DIR}/src -MD -MF ${output}.d
               -o ${output} ${shader}
           DEPENDS ${shader} DEPFILE ${output}.d COMMENT "GLSL ${name}" VERBATIM)
       list(APPEND outputs ${output})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Device, images, buffers: a thin layer over Vulkan 1.3. Handles are shared; a resource lives until its last handle and
-// the last submit that uses it are gone.
+// Device, images, buffers: a thin layer over Vulkan 1.3. Handles are shared; a resource lives until its last
+// handle and the last submit that uses it are gone.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -26,6 +26,8 @@ std::vector<DeviceInfo> list_devices();
 struct GpuOptions {
     std::string device;      // index or part of a name; "" = discrete before integrated before cpu
     bool validation = false; // Khronos layer with synchronization validation; messages are counted and kept
+    bool check_shaders =
+        false; // with validation: instrument shaders, which finds accesses out of bounds (slow)
 };
 
 struct GpuData; // internal
@@ -46,7 +48,7 @@ public:
     explicit operator bool() const { return data_ != nullptr; }
     const ImageInfo& info() const;
     const std::string& name() const;
-    std::uint32_t width() const;  // of the selected mip
+    std::uint32_t width() const; // of the selected mip
     std::uint32_t height() const;
     Image mip(std::uint32_t level) const;   // one level
     Image layer(std::uint32_t index) const; // one layer, as a 2D image
@@ -54,7 +56,7 @@ public:
 
     std::shared_ptr<ImageData> data_;
     std::uint32_t first_mip = 0, mip_count = 0, first_layer = 0, layer_count = 0; // 0 counts = all
-    bool single_layer = false; // seen as a 2D image
+    bool single_layer = false;                                                    // seen as a 2D image
 };
 
 enum class Memory { device, upload, readback };
@@ -80,19 +82,24 @@ public:
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 
-    // Contents are undefined until written. Usable as sampled, storage (if the format can), attachment, copy source
-    // and target. Errors: Fault::resource with what was asked.
+    // Contents are undefined until written. Usable as sampled, storage (if the format can), attachment, copy
+    // source and target. Errors: Fault::resource with what was asked.
     Image image(const ImageInfo& info, std::string name);
     Buffer buffer(std::uint64_t size, std::string name, Memory memory = Memory::device);
     template <class T> Buffer upload(std::span<const T> values, std::string name) {
         return upload_bytes(std::as_bytes(values), std::move(name));
     }
-    Buffer upload_bytes(std::span<const std::byte> bytes, std::string name); // device-local copy; empty is allowed
+    Buffer upload_bytes(std::span<const std::byte> bytes,
+                        std::string name); // device-local copy; empty is allowed
     // Mip 0 of an image from tightly packed rows; further mips are made by linear blits when info.mips > 1.
     Image upload_image(const ImageInfo& info, std::span<const std::byte> texels, std::string name);
     Image upload_image(const luxel::Image& image, std::string name); // 1 -> R32F, 3 and 4 channels -> RGBA32F
 
-    // Waits for all work, then reads. Float images become 1-, 2- or 4-channel luxel::Image; 8-bit ones [0, 1].
+    // Into Memory::upload; what is submitted afterwards sees it.
+    void write(const Buffer& buffer, std::span<const std::byte> bytes, std::uint64_t offset = 0);
+
+    // Waits for all work, then reads. Float images become 1-, 2- or 4-channel luxel::Image; 8-bit ones [0,
+    // 1], sRGB as encoded; integers their value.
     luxel::Image read(const Image& image);
     void read(const Buffer& buffer, std::span<std::byte> out, std::uint64_t offset = 0);
     template <class T> std::vector<T> read_all(const Buffer& b) {

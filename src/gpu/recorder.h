@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records a frame: one statement per pass. Bindings go by the shader's own names; layouts, barriers, debug labels and
-// timestamps follow from SPIR-V reflection and the recorder's own tracker.
+// Records a frame: one statement per pass. Bindings go by the shader's own names; layouts, barriers, debug
+// labels and timestamps follow from SPIR-V reflection and the recorder's own tracker.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -16,9 +16,17 @@
 
 namespace luxel::gpu {
 
-enum class Sampler { nearest_clamp, linear_clamp, nearest_repeat, linear_repeat, linear_mirror, shadow_compare };
+enum class Sampler {
+    nearest_clamp,
+    linear_clamp,
+    nearest_repeat,
+    linear_repeat,
+    linear_mirror,
+    shadow_compare
+};
 
-// name = the GLSL variable (images, samplers) or block/instance name (buffers). The shader says how it is used.
+// name = the GLSL variable (images, samplers) or block/instance name (buffers). The shader says how it is
+// used.
 struct Binding {
     std::string_view name;
     std::variant<Image, Buffer> resource;
@@ -35,7 +43,7 @@ enum class Blend { none, add, min, max };
 enum class Cull { none, back, front };
 
 struct ColorTarget {
-    Image image; // one mip; one layer, or all layers with RasterPass::layers
+    Image image;                               // one mip; one layer, or all layers with RasterPass::layers
     std::optional<std::array<float, 4>> clear; // nullopt = load
     Blend blend = Blend::none;
 };
@@ -57,7 +65,7 @@ struct RasterPass {
 };
 
 struct Draw {
-    std::uint32_t count = 0;  // indices, or vertices without an index buffer
+    std::uint32_t count = 0; // indices, or vertices without an index buffer
     std::uint32_t first = 0;
     std::int32_t vertex_offset = 0;
     std::uint32_t instance = 0; // gl_InstanceIndex of the only (or first) instance
@@ -81,29 +89,30 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    // `params` is the content of the shader's uniform block named `params` (scalar layout, at most 64 KiB). A program
-    // without such a block takes NoParams. Errors are bugs (assertions) that name the program and the binding: unknown
-    // name, missing name, wrong kind of resource, wrong size of params.
+    // `params` is the content of the shader's uniform block named `params` (scalar layout, at most 64 KiB). A
+    // program without such a block takes NoParams. Errors are bugs (assertions) that name the program and the
+    // binding: unknown name, missing name, wrong kind of resource, wrong size of params.
     struct NoParams {};
     template <class P>
     void dispatch(std::string_view program, Extent threads, const P& params, const Bindings& bindings) {
         dispatch_bytes(program, threads, bytes_of(params), bindings);
     }
     // Group counts (3 x uint32) read from `arguments` at `offset`.
-    template <class P>
-    void dispatch_indirect(std::string_view program, const Buffer& arguments, std::uint64_t offset, const P& params,
-                           const Bindings& bindings) {
+    template <class P> void dispatch_indirect(std::string_view program, const Buffer& arguments,
+                                              std::uint64_t offset, const P& params,
+                                              const Bindings& bindings) {
         dispatch_indirect_bytes(program, arguments, offset, bytes_of(params), bindings);
     }
     // program "frame/gbuffer" = frame/gbuffer.vert + frame/gbuffer.frag (no .frag file: depth only).
     // indices: uint32 index buffer, or none. Vertex data is pulled from buffers by gl_VertexIndex.
-    template <class P>
-    void draw(std::string_view program, const RasterPass& pass, const P& params, const Bindings& bindings,
-              const Buffer& indices, std::span<const Batch> batches) {
+    template <class P> void draw(std::string_view program, const RasterPass& pass, const P& params,
+                                 const Bindings& bindings, const Buffer& indices,
+                                 std::span<const Batch> batches) {
         draw_bytes(program, pass, bytes_of(params), bindings, indices, batches);
     }
 
-    void clear(const Image& image, std::array<float, 4> value); // color images; integer formats take the rounded value
+    void clear(const Image& image,
+               std::array<float, 4> value); // color images; integer formats take the rounded value
     void fill(const Buffer& buffer, std::uint32_t word);
     void copy(const Image& from, const Image& to);
     void generate_mips(const Image& image); // linear blits from mip 0
@@ -124,20 +133,22 @@ public:
     };
     Scope scope(std::string name);
 
-    // Runs everything recorded, waits, returns GPU times per pass in order. The recorder can then be used again.
-    // Errors: Fault::device_lost.
+    // Runs everything recorded, waits, returns GPU times per pass in order. The recorder can then be used
+    // again. Errors: Fault::device_lost.
     std::vector<PassTime> submit();
 
 private:
     template <class P> static std::span<const std::byte> bytes_of(const P& p) {
-        if constexpr (std::is_same_v<P, NoParams>) return {};
-        else return std::as_bytes(std::span<const P, 1>(&p, 1));
+        if constexpr (std::is_same_v<P, NoParams>)
+            return {};
+        else
+            return std::as_bytes(std::span<const P, 1>(&p, 1));
     }
     void dispatch_bytes(std::string_view, Extent, std::span<const std::byte>, const Bindings&);
     void dispatch_indirect_bytes(std::string_view, const Buffer&, std::uint64_t, std::span<const std::byte>,
                                  const Bindings&);
-    void draw_bytes(std::string_view, const RasterPass&, std::span<const std::byte>, const Bindings&, const Buffer&,
-                    std::span<const Batch>);
+    void draw_bytes(std::string_view, const RasterPass&, std::span<const std::byte>, const Bindings&,
+                    const Buffer&, std::span<const Batch>);
     Gpu& gpu_;
     struct Data;
     std::unique_ptr<Data> data_;
