@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf/extensions.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace luxel::gltf {
+namespace {
+
+// Read, or of no consequence for a still image of the default variant.
+constexpr std::array<std::string_view, 12> supported{
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_transmission", "KHR_materials_specular",          "KHR_materials_volume",
+    "KHR_materials_unlit",        "KHR_texture_transform",           "KHR_mesh_quantization",
+    "EXT_meshopt_compression",    "KHR_materials_variants",          "KHR_xmp_json_ld"};
+
+std::string_view advice(std::string_view extension) {
+    if (extension == "KHR_draco_mesh_compression")
+        return "; store the meshes uncompressed or with EXT_meshopt_compression";
+    if (extension == "KHR_texture_basisu") return "; store the textures as PNG or JPEG";
+    if (extension == "EXT_texture_webp") return "; store the textures as PNG or JPEG";
+    return "";
+}
+
+// "2.0", "2.1": the major number decides.
+bool is_version_two(const std::string& version) { return version == "2" || version.starts_with("2."); }
+
+} // namespace
+
+void check_version_and_extensions(Document& document) {
+    const Value root = document.root(), asset = root["asset"];
+    const Value version = asset["version"], least = asset["minVersion"];
+    if (!is_version_two(version.text()))
+        version.fail("glTF version {} is not 2.0", printable(version.text()));
+    if (least && least.text() != "2.0") least.fail("needs glTF version {}", printable(least.text()));
+
+    const Value required = root["extensionsRequired"];
+    for (std::size_t i = 0; i < required.size(); ++i) {
+        const std::string& name = required.at(i).text();
+        if (std::find(supported.begin(), supported.end(), name) == supported.end())
+            fail(Fault::unsupported, "{}: {}: the extension {} is not supported{}", document.name(),
+                 required.at(i).place(), printable(name), advice(name));
+    }
+    if (root["animations"].size() > 0) document.warn("animations are not played, the scene is at rest");
+    if (root["skins"].size() > 0) document.warn("skins are not applied, meshes are in their bind pose");
+}
+
+} // namespace luxel::gltf

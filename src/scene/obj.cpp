@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "scene/obj.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+#include <streambuf>
+#include <string_view>
+#include <unordered_map>
+
+#include <tiny_obj_loader.h>
+
+#include "core/error.h"
+#include "core/file.h"
+#include "scene/load_texture.h"
+#include "scene/mesh_attributes.h"
+#include "scene/obj_material.h"
+#include "scene/printable.h"
+#include "scene/validate.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint64_t max_obj_bytes = std::uint64_t(2) << 30;
+constexpr std::size_t max_face_corners = 1024;
+
+// Reads a stream from memory: the library never opens a file itself.
+class MemoryStream : private std::streambuf, public std::istream {
+public:
+    explicit MemoryStream(std::span<std::uint8_t> bytes) : std::istream(this) {
+        char* first = reinterpret_cast<char*>(bytes.data());
+        setg(first, first, first + bytes.size());
+    }
+};
+
+// mtllib lines, resolved beneath the OBJ's folder.
+class FolderMaterials : public tinyobj::MaterialReader {
+public:
+    FolderMaterials(const Folder& folder, const std::string& name) : folder_(folder), name_(name) {}
+
+    bool operator()(const std::string& file, std::vector<tinyobj::material_t>* materials,
+                    std::map<std::string, int>* names, std::string* warning, std::string* error) override {
+        auto bytes = folder_.read(obj_path(file), max_obj_bytes);
+        if (!bytes) {
+            missing.push_back(fmt::format("{}: no material library \"{}\"", name_, printable(file)));
+            return false;
+        }
+        MemoryStream stream(*bytes);
+        tinyobj::LoadMtl(names, materials, &stream, warning, error);
+        return true;
+    }
+
+    std::vector<std::string> missing;
+
+private:
+    const Folder& folder_;
+    const std::string& name_;
+};
+
+// What the library does not refuse itself: it reads "nan" as 0, and cuts a polygon into triangles in time
+// quadratic in its corners.
+void check_line(std::string_view line, std::size_t number, const std::string& name) {
+    constexpr std::string_view blanks = " \t\r";
+    const auto next_word = [&line, blanks] {
+        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+        const std::string_view word = line.substr(0, line.find_first_of(blanks));
+        line.remove_prefix(word.size());
+        return word;
+    };
+    const std::string_view kind = next_word();
+    if (kind == "v" || kind == "vn" || kind == "vt") {
+        for (std::string_view word = next_word(); !word.empty() && word[0] != '#'; word = next_word())
+            if (word.find_first_of("0123456789") == word.npos)
+                fail(Fault::bad_input, "{}: line {}: \"{}\" is not a finite number", name, number,
+                     printable(word));
+    } else if (kind == "f" && line.size() > max_face_corners) {
+        std::size_t corners = 0;
+        while (!next_word().empty()) ++corners;
+        if (corners > max_face_corners)
+            fail(Fault::bad_input, "{}: line {}: a face with more than {} corners", name, number,
+                 max_face_corners);
+    }
+}
+
+void check_lines(std::string_view text, const std::string& name) {
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t length = std::min(text.find('\n'), text.size());
+        check_line(text.substr(0, length), number, name);
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+}
+
+struct Source {
+    std::string name;
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::vector<std::string> warnings;
+};
+
+Source read_source(const std::filesystem::path& path, const Folder& folder) {
+    Source source;
+    source.name = printable(path.string());
+    std::vector<std::uint8_t> text = read_file(path, max_obj_bytes);
+    if (text.empty()) fail(Fault::bad_input, "{}: the file is empty", source.name);
+    check_lines({reinterpret_cast<const char*>(text.data()), text.size()}, source.name);
+
+    MemoryStream stream(text);
+    FolderMaterials reader(folder, source.name);
+    std::string warning, error;
+    const bool read = tinyobj::LoadObj(&source.attributes, &source.shapes, &source.materials, &warning,
+                                       &error, &stream, &reader, true, false);
+    if (!read) {
+        error = printable(error.substr(0, error.find('\n')));
+        fail(Fault::bad_input, "{}: {}", source.name, error.empty() ? "not a valid OBJ file" : error);
+    }
+    source.warnings = std::move(reader.missing);
+    return source;
+}
+
+// Corners that agree in position, normal and texture coordinate are one vertex.
+class MeshBuilder {
+public:
+    MeshBuilder(const Source& source, const std::string& name, int material) : source_(source) {
+        mesh_.name = name;
+        mesh_.material = material;
+    }
+
+    void add_corner(const tinyobj::index_t& corner) {
+        const auto [entry, added] = vertices_.try_emplace(Key{corner}, std::uint32_t(mesh_.positions.size()));
+        if (added) add_vertex(corner);
+        mesh_.indices.push_back(entry->second);
+    }
+
+    // Flat normals where the file gives none for some corner; no texture coordinates unless all have them.
+    Mesh finish(const Material& material) {
+        if (!all_uvs_) mesh_.texcoords[0].clear();
+        if (!all_normals_) {
+            mesh_.normals.clear();
+            make_flat(mesh_);
+        }
+        repair_normals(mesh_);
+        if (material.normal_texture.texture >= 0) make_tangents(mesh_, 0, material.normal_texture.transform);
+        return std::move(mesh_);
+    }
+
+private:
+    struct Key {
+        tinyobj::index_t corner;
+        bool operator==(const Key& o) const {
+            return corner.vertex_index == o.corner.vertex_index &&
+                   corner.normal_index == o.corner.normal_index &&
+                   corner.texcoord_index == o.corner.texcoord_index;
+        }
+    };
+    struct Hash {
+        std::size_t operator()(const Key& k) const {
+            std::uint64_t h = std::uint32_t(k.corner.vertex_index);
+            h = h * 0x9e3779b97f4a7c15ull + std::uint32_t(k.corner.normal_index);
+            h = h * 0x9e3779b97f4a7c15ull + std::uint32_t(k.corner.texcoord_index);
+            return std::size_t(h ^ (h >> 29));
+        }
+    };
+
+    // Entry `index` of a flat array of N floats each; the library does not check indices.
+    template <int N>
+    glm::vec<N, float> fetch(const std::vector<float>& values, int index, const char* what) const {
+        if (index < 0 || std::size_t(index) >= values.size() / N)
+            fail(Fault::bad_input, "{}: object \"{}\": {} {} is out of range, there are {}", source_.name,
+                 mesh_.name, what, std::int64_t(index) + 1, values.size() / N);
+        glm::vec<N, float> v;
+        for (int c = 0; c < N; ++c) v[c] = values[std::size_t(index) * N + std::size_t(c)];
+        for (int c = 0; c < N; ++c)
+            if (!std::isfinite(v[c]))
+                fail(Fault::bad_input, "{}: {} {} is not finite", source_.name, what,
+                     std::int64_t(index) + 1);
+        return v;
+    }
+
+    void add_vertex(const tinyobj::index_t& corner) {
+        const auto& a = source_.attributes;
+        mesh_.positions.push_back(fetch<3>(a.vertices, corner.vertex_index, "vertex"));
+        all_normals_ = all_normals_ && corner.normal_index >= 0;
+        if (all_normals_) mesh_.normals.push_back(fetch<3>(a.normals, corner.normal_index, "normal"));
+        all_uvs_ = all_uvs_ && corner.texcoord_index >= 0;
+        if (all_uvs_) {
+            // OBJ counts v from the bottom of the image, scenes from the top.
+            const glm::vec2 uv = fetch<2>(a.texcoords, corner.texcoord_index, "texture coordinate");
+            mesh_.texcoords[0].push_back({uv.x, 1.0f - uv.y});
+        }
+        // Vertex colors are an extension; they are stored only when every vertex has one.
+        if (a.colors.size() == a.vertices.size() && !a.colors.empty())
+            mesh_.colors.push_back(glm::vec4(fetch<3>(a.colors, corner.vertex_index, "color"), 1.0f));
+    }
+
+    const Source& source_;
+    Mesh mesh_;
+    std::unordered_map<Key, std::uint32_t, Hash> vertices_;
+    bool all_normals_ = true, all_uvs_ = true;
+};
+
+// One mesh per material of the shape, in the order in which the faces name them.
+void add_shape(Scene& scene, const Source& source, const tinyobj::shape_t& shape) {
+    const std::string name = printable(shape.name);
+    const int default_material = int(scene.materials.size()) - 1;
+    std::vector<MeshBuilder> builders;
+    std::vector<int> builder_of(scene.materials.size(), -1), materials;
+    for (std::size_t face = 0; face * 3 + 2 < shape.mesh.indices.size(); ++face) {
+        int material = face < shape.mesh.material_ids.size() ? shape.mesh.material_ids[face] : -1;
+        if (material < 0 || material > default_material) material = default_material;
+        int& builder = builder_of[std::size_t(material)];
+        if (builder < 0) {
+            builder = int(builders.size());
+            builders.emplace_back(source, name, material);
+            materials.push_back(material);
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            builders[std::size_t(builder)].add_corner(shape.mesh.indices[face * 3 + k]);
+    }
+    for (std::size_t i = 0; i < builders.size(); ++i) {
+        Instance instance;
+        instance.name = name;
+        instance.mesh = int(scene.meshes.size());
+        scene.instances.push_back(std::move(instance));
+        scene.meshes.push_back(builders[i].finish(scene.materials[std::size_t(materials[i])]));
+    }
+}
+
+} // namespace
+
+Scene load_obj(const std::filesystem::path& path, const LoadOptions& options) {
+    const Folder folder(path.has_parent_path() ? path.parent_path() : ".");
+    Source source = read_source(path, folder);
+
+    Scene scene;
+    scene.name = path.stem().string();
+    scene.warnings = std::move(source.warnings);
+    if (options.strict && !scene.warnings.empty()) fail(Fault::bad_input, "{}", scene.warnings.front());
+    read_obj_materials(scene, source.materials, folder, source.name, options);
+    std::size_t skipped = 0;
+    for (const tinyobj::shape_t& shape : source.shapes) {
+        add_shape(scene, source, shape);
+        skipped += shape.lines.num_line_vertices.size() + shape.points.indices.size();
+    }
+    if (skipped > 0)
+        scene.warnings.push_back(fmt::format("{}: {} points and lines are not drawn", source.name, skipped));
+    validate_scene(scene, source.name);
+    return scene;
+}
+
+} // namespace luxel
