@@ -16,26 +16,34 @@ namespace luxel {
 // Light-path components (Heckbert's notation, D = the Lambertian lobe, G = a specular lobe, rough or ideal):
 //   direct               E L and E (D|G) L without an ideal lobe: emitters seen, and surfaces lit by lights
 //   diffuse1             E D D L: exactly one diffuse bounce of directly lit diffuse surfaces
-//   diffuse1_unoccluded  the same with the bounce ray's visibility ignored: every surface point x of the scene that
-//                        faces the receiver contributes direct(x) whatever lies between (infinitely many layers)
+//   diffuse1_unoccluded  the same with the bounce ray's visibility ignored: every surface point x of the
+//   scene that
+//                        faces the receiver contributes direct(x) whatever lies between (infinitely many
+//                        layers)
 //   diffuse              E D D+ L: all diffuse bounces
 //   specular             full - direct - diffuse: every path with a specular lobe beyond direct light
 //   full                 everything
-//   ao                   cosine-weighted occlusion-free share, radius R, membership step | sqrt | cubic; 1 = open
+//   ao                   cosine-weighted occlusion-free share, radius R, membership step | sqrt | cubic; 1 =
+//   open
 // Pixels that see no surface: direct and full hold the environment's radiance; the others 0.
-inline const std::vector<std::string> component_names = {"direct",  "diffuse1", "diffuse1_unoccluded", "diffuse",
-                                                         "specular", "full",     "ao"};
+inline const std::vector<std::string> component_names = {
+    "direct", "diffuse1", "diffuse1_unoccluded", "diffuse", "specular", "full", "ao"};
 
-enum class Membership { step, sqrt, cubic }; // weight of an occluder at distance d < R: 1, 1-sqrt(d/R), 1-(d/R)^3
+enum class Membership {
+    step,
+    sqrt,
+    cubic
+}; // weight of an occluder at distance d < R: 1, 1-sqrt(d/R), 1-(d/R)^3
 
 struct ReferenceSettings {
-    int spp = 64;           // upper bound
-    float seconds = 0.0f;   // stop after this time when > 0 (at a whole pass)
-    float error = 0.0f;     // stop when the mean relative standard error of `full` is below, when > 0
-    int max_bounces = 64;   // path vertices after the first; Russian roulette starts at 4
+    int spp = 64;         // upper bound
+    float seconds = 0.0f; // stop after this time when > 0 (at a whole pass)
+    float error = 0.0f;   // stop when the mean relative standard error of `full` is below, when > 0
+    int max_bounces = 64; // path vertices after the first; Russian roulette starts at 4
     int seed = 1;
-    bool pixel_center = false; // one sub-pixel position, as a rasterizer's; otherwise the pixel's area is integrated
-    float ao_radius = 1.0f;    // meters
+    bool pixel_center =
+        false; // one sub-pixel position, as a rasterizer's; otherwise the pixel's area is integrated
+    float ao_radius = 1.0f; // meters
     Membership ao_membership = Membership::step;
     void visit(Visitor& v);
 };
@@ -47,7 +55,12 @@ struct Estimate {
     Layers variance;                    // of the mean, per pixel and channel
     Layers half[2];                     // means of the even and of the odd samples: the noise made visible
     Image mask;                         // 1 where the pixel's center sees a surface
+    std::vector<std::string> warnings;  // one sentence each
 };
+
+// Mean over the pixels that are not black of standard error over mean, in luminance, of `full`, or of the
+// first component where full is absent.
+double relative_error(const Estimate& estimate);
 
 struct ReferenceRequest {
     std::vector<std::string> components; // of component_names

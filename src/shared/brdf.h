@@ -79,6 +79,29 @@ LUXEL_FN float ggx_v(float cos_i, float cos_o, float alpha) {
     return 0.5f / max(gi + go, 1e-12f);
 }
 
+// Density of the directions that sample_visible_normal leads to by reflection, 1/sr [Heitz2018, eq. 17]: the
+// masked distribution G1(wo) D(h) (wo.h) / cos_o over the Jacobian 4 (wo.h).
+LUXEL_FN float ggx_reflection_pdf(float d, float cos_o, float alpha) {
+    float a2 = alpha * alpha;
+    return d * 0.5f / (cos_o + sqrt(cos_o * cos_o * (1.0f - a2) + a2));
+}
+
+// Whether the specular lobe is an ideal mirror: no light sample can meet it, only a reflected ray.
+LUXEL_FN bool is_mirror(float metallic, float roughness) {
+    return metallic > 0.999f && roughness < MIRROR_ROUGHNESS;
+}
+
+// Unpolarized reflectance of a smooth interface; eta = index behind it over the index in front; 1 beyond the
+// critical angle [Walter2007, eq. 22].
+LUXEL_FN float fresnel_dielectric(float cos_i, float eta) {
+    float g2 = eta * eta - 1.0f + cos_i * cos_i;
+    if (g2 <= 0.0f) return 1.0f;
+    float g = sqrt(g2);
+    float a = (g - cos_i) / (g + cos_i);
+    float b = (cos_i * (g + cos_i) - 1.0f) / (cos_i * (g - cos_i) + 1.0f);
+    return 0.5f * a * a * (1.0f + b * b);
+}
+
 // Specular lobe only, 1/sr, without the cosine. Zero below the horizon.
 LUXEL_FN vec3 evaluate_specular(Brdf b, vec3 n, vec3 wo, vec3 wi) {
     float cos_i = dot(n, wi);

@@ -37,6 +37,25 @@ LUXEL_FN vec3 sample_sphere(vec2 u) {
     return vec3(r * cos(phi), r * sin(phi), z);
 }
 
+// A GGX micronormal as seen from wo (around +z, wo.z > 0), density G1(wo) D(h) max(wo.h, 0) / wo.z
+// [Heitz2018, listing 1].
+LUXEL_FN vec3 sample_visible_normal(vec3 wo, float alpha, vec2 u) {
+    // Stretch the view, so that the ellipsoid of normals becomes a hemisphere.
+    vec3 v = normalize(vec3(alpha * wo.x, alpha * wo.y, wo.z));
+    float l2 = v.x * v.x + v.y * v.y;
+    vec3 t = l2 > 0.0f ? vec3(-v.y, v.x, 0.0f) / sqrt(l2) : vec3(1.0f, 0.0f, 0.0f);
+    vec3 b = cross(v, t);
+
+    // A point of the hemisphere's projection along the view: a disc whose lower half is squeezed.
+    float r = sqrt(u.x);
+    float phi = 2.0f * PI * u.y;
+    float x = r * cos(phi);
+    float s = 0.5f * (1.0f + v.z);
+    float y = (1.0f - s) * sqrt(max(0.0f, 1.0f - x * x)) + s * (r * sin(phi));
+    vec3 h = t * x + b * y + v * sqrt(max(0.0f, 1.0f - x * x - y * y));
+    return normalize(vec3(alpha * h.x, alpha * h.y, max(h.z, 1e-7f)));
+}
+
 // Element i of the Hammersley set of n: low-discrepancy points of the unit square.
 LUXEL_FN vec2 hammersley(uint i, uint n) {
     uint b = (i << 16u) | (i >> 16u);

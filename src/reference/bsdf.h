@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// How a surface scatters: evaluation of the smooth lobes, and the choice of a direction among all of them.
+#pragma once
+#include "reference/random.h"
+#include "scene/surface.h"
+
+namespace luxel {
+
+// A surface as its ray meets it: everything turned to the ray's side, with the chances of its lobes.
+struct ShadingPoint {
+    ShadingPoint(const Surface& surface, glm::vec3 direction);
+
+    const Surface* surface;
+    glm::vec3 wo;               // unit, back along the ray
+    glm::vec3 normal;           // shading normal, dot(normal, wo) > 0
+    glm::vec3 geometric_normal; // unit, dot(geometric_normal, wo) >= 0
+    bool mirror;                // the specular lobe is ideal
+    float diffuse_chance, specular_chance,
+        glass_chance; // of sampling a lobe; they sum to 1, or to 0: a black surface
+
+    bool has_smooth_lobes() const { return diffuse_chance > 0.0f || (specular_chance > 0.0f && !mirror); }
+    // Origin of a ray that leaves on the side of `direction`.
+    glm::vec3 origin(glm::vec3 direction) const;
+};
+
+// The smooth lobes, 1/sr times the cosine, and the density of sample_bsdf; zero below either horizon.
+struct BsdfValue {
+    glm::vec3 diffuse{0.0f}, specular{0.0f};
+    float pdf = 0.0f;
+    glm::vec3 sum() const { return diffuse + specular; }
+};
+BsdfValue evaluate_bsdf(const ShadingPoint& point, glm::vec3 wi);
+
+struct BsdfSample {
+    glm::vec3 wi{0.0f};      // unit
+    glm::vec3 weight{0.0f};  // all lobes over the density; zero ends the path
+    glm::vec3 diffuse{0.0f}; // the Lambertian lobe's share of it
+    float pdf = 0.0f;        // of a smooth lobe, 1/sr
+    bool ideal = false;      // mirror or glass: no density
+};
+BsdfSample sample_bsdf(const ShadingPoint& point, Random& random);
+
+} // namespace luxel

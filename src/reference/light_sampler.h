@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Sampling of all that emits: triangles by power, the environment by importance, punctual lights by what they
+// send.
+#pragma once
+#include <vector>
+
+#include "reference/bsdf.h"
+#include "scene/environment.h"
+#include "scene/lights.h"
+
+namespace luxel {
+
+// Light that arrives at a surface from one drawn direction, if nothing is in the way.
+struct LightArrival {
+    glm::vec3 wi;       // unit, toward the light
+    glm::vec3 target;   // where the shadow ray ends
+    bool infinite;      // no target: the shadow ray has no end
+    glm::vec3 radiance; // over the density: an estimate of radiance times solid angle
+    float pdf;          // 1/sr for MIS with BSDF sampling; 0 for lights that BSDF sampling cannot meet
+};
+
+class LightSampler {
+public:
+    explicit LightSampler(const Scene& scene);
+
+    bool has_emitters() const { return !emitters_.empty(); }
+    bool has_environment() const { return !environment_.empty(); }
+    std::size_t punctual_count() const { return scene_->lights.size(); }
+
+    // One point on the emissive triangles; radiance is 0 where it does not face `from`.
+    LightArrival sample_emitters(glm::vec3 from, float choice, glm::vec2 u) const;
+    LightArrival sample_environment(glm::vec2 u) const;
+    LightArrival punctual(std::size_t light, glm::vec3 from) const;
+    // Chances to choose among many punctual lights at a surface: cumulative, proportional to what each would
+    // send to it unoccluded. False: none sends anything.
+    bool choose_among(const ShadingPoint& point, std::vector<float>& cumulative) const;
+
+    // Densities of the two samplers above for a direction that was found by BSDF sampling, 1/sr.
+    float emitter_pdf(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi) const;
+    float environment_pdf(glm::vec3 wi) const { return environment_.pdf(wi); }
+
+private:
+    const Scene* scene_;
+    EnvironmentSampler environment_;
+    std::vector<EmissiveTriangle> emitters_;
+    std::vector<float> cumulative_; // share of the power up to and with emitter i
+    std::vector<float> area_pdf_;   // 1/m2, per emitter
+    std::vector<std::vector<float>>
+        pdf_; // area_pdf_ by instance and triangle; empty for instances that do not emit
+};
+
+// Index of the element that `u` in [0, 1) falls on.
+std::size_t find_in(const std::vector<float>& cumulative, float u);
+
+} // namespace luxel
