@@ -108,12 +108,6 @@ void make_tangents(Mesh& mesh, int set, const glm::mat3& uv_transform) {
     }
 }
 
-void mirror(Mesh& mesh) {
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
-        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-    for (glm::vec4& t : mesh.tangents) t.w = -t.w;
-}
-
 void drop_unused_vertices(Mesh& mesh) {
     constexpr std::uint32_t unseen = ~0u;
     std::vector<std::uint32_t> renamed(mesh.positions.size(), unseen), order;

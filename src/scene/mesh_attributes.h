@@ -17,9 +17,6 @@ void repair_normals(Mesh& mesh);
 // angles do not weigh.
 void make_tangents(Mesh& mesh, int set, const glm::mat3& uv_transform);
 
-// The same surface for a transform of negative determinant: winding and tangent handedness are swapped.
-void mirror(Mesh& mesh);
-
 // Keeps the vertices that indices refer to, in the order of their first use.
 void drop_unused_vertices(Mesh& mesh);
 

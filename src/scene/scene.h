@@ -64,6 +64,7 @@ struct Mesh {
     int material = 0;                     // index into Scene::materials
 };
 
+// Front faces are those wound counter-clockwise in object space, also under a mirroring transform.
 struct Instance {
     std::string name;
     int mesh = 0;

@@ -126,8 +126,7 @@ private:
                     i.transform[3][3] == 1,
                 "its transform is not affine");
         const double determinant = glm::determinant(glm::dmat3(i.transform));
-        require(std::isfinite(determinant) && determinant > 0.0,
-                "its transform is singular or turns front faces around");
+        require(std::isfinite(determinant) && determinant != 0.0, "its transform is singular");
 
         // The corners of the object's box bound what an affine transform makes of its vertices.
         const Bounds& box = bounds_[std::size_t(i.mesh)];

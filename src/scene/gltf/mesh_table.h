@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Meshes read on first use, shared by the instances that show them.
 #pragma once
-#include <array>
 #include <map>
 #include <vector>
 
@@ -17,22 +16,18 @@ class MeshTable {
 public:
     MeshTable(Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
-    // One instance for each primitive of the node's mesh. Front faces are counter-clockwise in world space: a
-    // transform of negative determinant gets a mirrored copy of the mesh.
+    // One instance for each primitive of the node's mesh. A mirroring transform stays one: front faces are those that
+    // are counter-clockwise in object space.
     void add_instances(const Value& node, const glm::mat4& world);
 
 private:
-    // Index into Scene::meshes as it is and mirrored; -1: not read yet.
-    struct Primitive {
-        std::array<int, 2> mesh{-1, -1};
-    };
-    std::vector<Primitive>& primitives(const Value& reference, bool mirrored);
-    void read_primitives(const Value& json, bool mirrored, std::vector<Primitive>& read);
-    int mesh(Primitive& primitive, bool mirrored);
+    // Indices into Scene::meshes.
+    const std::vector<int>& primitives(const Value& reference);
+    std::vector<int> read_primitives(const Value& json);
 
     Document& document_;
     Scene& scene_;
-    std::map<std::size_t, std::vector<Primitive>> known_;
+    std::map<std::size_t, std::vector<int>> known_;
 };
 
 } // namespace luxel::gltf
