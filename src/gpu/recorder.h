@@ -117,7 +117,10 @@ public:
     void copy(const Image& from, const Image& to);
     void generate_mips(const Image& image); // linear blits from mip 0
 
-    Image image(const ImageInfo& info, std::string name) { return gpu_.image(info, std::move(name)); }
+    Image image(const ImageInfo& info, std::string name) {
+        return images_.emplace_back(gpu_.image(info, std::move(name)));
+    }
+    const std::vector<Image>& images() const { return images_; } // all that image() made, in order
     Gpu& gpu() { return gpu_; }
 
     // Debug label and time group: { auto scope = recorder.scope("shadow"); ... }
@@ -150,6 +153,7 @@ private:
     void draw_bytes(std::string_view, const RasterPass&, std::span<const std::byte>, const Bindings&,
                     const Buffer&, std::span<const Batch>);
     Gpu& gpu_;
+    std::vector<Image> images_;
     struct Data;
     std::unique_ptr<Data> data_;
 };

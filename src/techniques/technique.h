@@ -27,9 +27,12 @@ class Technique {
 public:
     virtual ~Technique() = default;
     virtual Slot slot() const = 0;
-    virtual void visit(Visitor&) {}                                            // knobs: see core/parameters.h
-    virtual void prepare(gpu::Gpu&, const Scene&) {}                           // once per scene
+    virtual void visit(Visitor&) {}                  // knobs: see core/parameters.h
+    virtual void prepare(gpu::Gpu&, const Scene&) {} // once per scene
     virtual Contribution render(gpu::Recorder& recorder, const Frame& frame) = 0; // once per frame
+
+    // The renderer that has called prepare(); it expires with it.
+    std::weak_ptr<const void> prepared_by;
 };
 
 struct TechniqueInfo {

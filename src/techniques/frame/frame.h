@@ -11,11 +11,13 @@ namespace luxel {
 
 // Full-size images of the visible surfaces; background pixels have depth 0.
 struct GBuffer {
-    gpu::Image diffuse;  // RGBA16F: Brdf::diffuse (albedo of the Lambertian lobe), a = perceptual roughness
+    gpu::Image diffuse;  // RGBA16F: Brdf::diffuse (albedo of the Lambertian lobe), a = perceptual roughness,
+                         // 0 exactly for an ideal mirror, whose specular lobe direct light leaves out
     gpu::Image specular; // RGBA16F: Brdf::f0, a = f90
-    gpu::Image normal;   // RGBA16F: world shading normal facing the camera's side, a = 1 where there is a surface
+    gpu::Image
+        normal; // RGBA16F: world shading normal facing the camera's side, a = 1 where there is a surface
     gpu::Image geometric_normal; // RGBA16F: world normal of the triangle, toward the camera
-    gpu::Image depth;    // R32F: distance along the view direction ("linear eye z"), meters; 0 = background
+    gpu::Image depth; // R32F: distance along the view direction ("linear eye z"), meters; 0 = background
     gpu::Image hardware_depth; // D32F
 };
 
@@ -25,8 +27,9 @@ struct Frame {
     Camera camera;
     const GpuScene* scene = nullptr;
     GBuffer gbuffer;
-    gpu::Image direct;         // RGBA32F: direct radiance toward the camera, emission included, without ambient
-    gpu::Image direct_diffuse; // RGBA32F: the part of it that the Lambertian lobe reflects (no emission, no specular)
+    gpu::Image direct; // RGBA32F: direct radiance toward the camera, emission included, without ambient
+    gpu::Image direct_diffuse; // RGBA32F: the part of it that the Lambertian lobe reflects (no emission, no
+                               // specular)
     gpu::Image ambient;        // RGBA32F: unoccluded environment light off the diffuse lobe; black without
 };
 
@@ -37,9 +40,9 @@ enum class EnvironmentMode { none, ambient, lights };
 
 struct FrameOptions {
     ShadowMode shadow = ShadowMode::pcf;
-    int shadow_size = 2048;      // texels a side
-    float esm_exponent = 90.0f;  // for light depth in [0, 1]
-    int emitter_lights = 64;     // cosine-emitting samples of emissive meshes
+    int shadow_size = 2048;     // texels a side
+    float esm_exponent = 90.0f; // for light depth in [0, 1]
+    int emitter_lights = 64;    // cosine-emitting samples of emissive meshes
     EnvironmentMode environment = EnvironmentMode::lights;
     int environment_lights = 32;
     int seed = 1;

@@ -15,8 +15,10 @@ namespace luxel {
 struct RenderRequest {
     Camera camera;
     int width = 0, height = 0;
-    std::vector<Technique*> techniques; // prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot
-    std::vector<std::string> images;    // names of intermediate images to read back ("depth", "isr irradiance", ...)
+    std::vector<Technique*>
+        techniques; // prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot
+    std::vector<std::string>
+        images; // names of intermediate images to read back ("depth", "isr irradiance", ...)
 };
 
 struct RenderResult {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Adds a technique's contribution to the frame.
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D contribution;
+layout(binding = 1, rgba32f) uniform image2D radiance;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(radiance)))) return;
+    imageStore(radiance, pixel, imageLoad(radiance, pixel) + vec4(texelFetch(contribution, pixel, 0).rgb, 0));
+}

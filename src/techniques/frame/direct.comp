@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Adds a batch of lights, with their shadows, to the direct light of every pixel.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/brdf.h"
+#include "techniques/frame/direct_params.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0, scalar) uniform params { DirectParams p; };
+layout(binding = 1) uniform sampler2D depth;
+layout(binding = 2) uniform sampler2D diffuse;
+layout(binding = 3) uniform sampler2D specular;
+layout(binding = 4) uniform sampler2D normal;
+layout(binding = 5) uniform sampler2D geometric_normal;
+// Reversed depth, or for exponential maps the filtered linear depth.
+layout(binding = 6) uniform sampler2DArray shadow_maps;
+layout(binding = 7, rgba32f) uniform image2D direct;
+layout(binding = 8, rgba32f) uniform image2D direct_diffuse;
+
+float stored(ivec2 texel, uint map) {
+    return texelFetch(shadow_maps, ivec3(clamp(texel, ivec2(0), ivec2(p.map_size) - 1), map), 0).r;
+}
+
+// 3x3 box of bilinearly weighted compares.
+float percentage_closer(vec2 texel, float z, uint map) {
+    vec2 corner = floor(texel - 0.5);
+    vec4 wx = pcf_weights(texel.x - 0.5 - corner.x), wy = pcf_weights(texel.y - 0.5 - corner.y);
+    float visible = 0.0;
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            if (z >= stored(ivec2(corner) + ivec2(x - 1, y - 1), map)) visible += wx[x] * wy[y];
+    return visible;
+}
+
+// Bilinear mean of four exponential compares [Rohleder2010, listing 8].
+float exponential(vec2 texel, float r, float cos_theta, uint map) {
+    vec2 corner = floor(texel - 0.5), f = texel - 0.5 - corner;
+    vec4 v;
+    for (int i = 0; i < 4; ++i)
+        v[i] = esm_visibility(r, stored(ivec2(corner) + ivec2(i & 1, i >> 1), map), p.esm_exponent, cos_theta);
+    return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
+}
+
+// Share of the light that reaches position, 0 to 1. n: geometric normal on the receiver's side.
+float visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
+    uint map = l.first_map;
+    if (l.maps > 1u) {
+        uint face = cube_face(l.axes, position - l.light.position);
+        if (face >= l.maps) return 1.0; // behind the plane of the light
+        map += face;
+    }
+    ShadowView view = p.maps[map];
+    float w = dot(vec4(view.world_to_map[0].w, view.world_to_map[1].w, view.world_to_map[2].w, view.world_to_map[3].w),
+                  vec4(position, 1.0));
+    vec3 receiver = position + n * receiver_offset(view, n, w, shadow_reach(p.mode));
+    vec4 clip = view.world_to_map * vec4(receiver, 1.0);
+    vec3 c = clip.xyz / clip.w;
+    vec2 texel = vec2(0.5 + 0.5 * c.x, 0.5 - 0.5 * c.y) * p.map_size;
+    if (p.mode == SHADOW_ESM) return exponential(texel, linear_light_depth(view, c.z), cos_theta, map);
+    float z = c.z + DEPTH_ROUNDING;
+    if (p.mode == SHADOW_PCF) return percentage_closer(texel, z, map);
+    return z >= stored(ivec2(floor(texel)), map) ? 1.0 : 0.0;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (pixel.x >= int(p.view.width) || pixel.y >= int(p.view.height)) return;
+    float z = texelFetch(depth, pixel, 0).r;
+    if (z <= 0.0) return;
+
+    vec3 position = world_position(p.view, vec2(pixel) + 0.5, z);
+    vec3 n = normalize(texelFetch(normal, pixel, 0).xyz), ng = normalize(texelFetch(geometric_normal, pixel, 0).xyz);
+    vec3 wo = normalize(p.view.position - position);
+    vec4 d = texelFetch(diffuse, pixel, 0), s = texelFetch(specular, pixel, 0);
+    Brdf brdf = Brdf(d.rgb, s.rgb, vec3(s.a), max(d.a * d.a, MIN_ALPHA));
+    bool mirror = d.a <= 0.0; // no light sample meets an ideal lobe
+
+    vec3 sum_diffuse = vec3(0), sum_specular = vec3(0);
+    for (int i = 0; i < p.light_count; ++i) {
+        ShadowedLight l = p.lights[i];
+        LightSample light = sample_light(l.light, position);
+        float cos_theta = dot(n, light.wi);
+        if (cos_theta <= 0.0 || dot(ng, light.wi) <= 0.0 || light.irradiance == vec3(0)) continue;
+        vec3 e = light.irradiance * (cos_theta * visibility(l, position, ng, cos_theta));
+        if (e == vec3(0)) continue;
+        sum_diffuse += e * brdf.diffuse / PI;
+        if (!mirror) sum_specular += e * evaluate_specular(brdf, n, wo, light.wi);
+    }
+    imageStore(direct, pixel, imageLoad(direct, pixel) + vec4(sum_diffuse + sum_specular, 0));
+    imageStore(direct_diffuse, pixel, imageLoad(direct_diffuse, pixel) + vec4(sum_diffuse, 0));
+}

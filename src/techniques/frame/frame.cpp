@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame/frame.h"
+
+namespace luxel {
+
+void FrameOptions::visit(Visitor& v) {
+    v.choice("shadow", shadow, {"hard", "pcf", "esm"},
+             "filter of shadow maps: none, percentage-closer, exponential");
+    v.integer("shadow_size", shadow_size, {64, 8192},
+              "texels a side of a directional or spot light's map; cube faces have half, sampled lights half "
+              "of that");
+    v.real("esm_exponent", esm_exponent, {1, 1000},
+           "exponent of exponential shadow maps, light depth in [0, 1]");
+    v.integer("emitter_lights", emitter_lights, {0, 65536}, "sample lights that stand for emissive meshes");
+    v.choice(
+        "environment", environment, {"none", "ambient", "lights"},
+        "light of the environment: none, irradiance times the occlusion slot, or sampled directional lights");
+    v.integer("environment_lights", environment_lights, {0, 65536},
+              "directional lights, environment=lights only");
+    v.integer("seed", seed, {0, 2147483647}, "of the sample lights");
+    v.flag("mipmaps", mipmaps, "off: textures are looked up bilinearly at full size, as in the reference");
+}
+
+} // namespace luxel

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The surface under the pixel's center, as surface_at in scene/surface.cpp finds it.
+#version 460
+#include "shared/brdf.h"
+#include "techniques/frame/material.glsl"
+#include "techniques/frame/view_params.h"
+
+layout(set = 0, binding = 6, scalar) uniform params { ViewParams view; };
+
+layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_texture;
+layout(set = 1, binding = 3) uniform sampler2D normal_texture;
+layout(set = 1, binding = 4) uniform sampler2D emission_texture;
+layout(set = 1, binding = 5) uniform sampler2D specular_texture;
+layout(set = 1, binding = 6) uniform sampler2D specular_color_texture;
+layout(set = 1, binding = 7) uniform sampler2D transmission_texture;
+
+layout(location = 0) in vec3 from_eye;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec4 uv;
+layout(location = 4) in vec4 color;
+layout(location = 5) in float depth;
+layout(location = 6) flat in float handedness;
+
+layout(location = 0) out vec4 out_diffuse;
+layout(location = 1) out vec4 out_specular;
+layout(location = 2) out vec4 out_normal;
+layout(location = 3) out vec4 out_geometric_normal;
+layout(location = 4) out float out_depth;
+layout(location = 5) out vec4 out_emission;
+
+// World shading normal of the front side, normal map included. `geometric` is the fallback of degenerate input.
+vec3 shading_normal(vec3 geometric) {
+    float length_n = length(normal);
+    if (!(length_n > 0.0)) return geometric;
+    vec3 n = normal / length_n;
+    float length_t = length(tangent.xyz);
+    if (m.normal_texture.present == 0u || !(length_t > 0.0)) return n;
+
+    // Tangent frame as glTF defines it.
+    vec3 t = tangent.xyz / length_t;
+    vec3 b = cross(n, t) * (tangent.w < 0.0 ? -1.0 : 1.0);
+    vec3 texel = look_up(normal_texture, m.normal_texture, uv.xy, uv.zw).xyz * 2.0 - 1.0;
+    vec3 bent = t * (texel.x * m.normal_scale) + b * (texel.y * m.normal_scale) + n * texel.z;
+    float length_bent = length(bent);
+    return length_bent > 0.0 ? bent / length_bent : n;
+}
+
+void main() {
+    vec4 base = m.base_color * color;
+    if (m.base_color_texture.present != 0u) base *= look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw);
+
+    // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
+    vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));
+    geometric = normalize(dot(geometric, from_eye) > 0.0 ? -geometric : geometric);
+    bool front = gl_FrontFacing == (handedness > 0.0);
+    float side = front ? 1.0 : -1.0;
+    vec3 n = facing_normal(shading_normal(geometric * side) * side, geometric, -normalize(from_eye));
+
+    // Factors times textures.
+    float metallic = m.metallic, roughness = m.roughness;
+    if (m.metallic_roughness_texture.present != 0u) {
+        vec4 t = look_up(metallic_roughness_texture, m.metallic_roughness_texture, uv.xy, uv.zw);
+        roughness *= t.g;
+        metallic *= t.b;
+    }
+    float specular = m.specular, transmission = m.transmission;
+    vec3 specular_color = m.specular_color, emission = m.emission;
+    if (m.specular_texture.present != 0u) specular *= look_up(specular_texture, m.specular_texture, uv.xy, uv.zw).a;
+    if (m.specular_color_texture.present != 0u)
+        specular_color *= look_up(specular_color_texture, m.specular_color_texture, uv.xy, uv.zw).rgb;
+    if (m.transmission_texture.present != 0u)
+        transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
+    if (m.emission_texture.present != 0u)
+        emission *= look_up(emission_texture, m.emission_texture, uv.xy, uv.zw).rgb;
+    transmission *= 1.0 - metallic;
+    Brdf brdf = scale_brdf(make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color), 1.0 - transmission);
+
+    out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
+    out_specular = vec4(brdf.f0, brdf.f90.x);
+    out_normal = vec4(n, 1.0);
+    out_geometric_normal = vec4(geometric, 1.0);
+    out_depth = depth;
+    out_emission = vec4(front || m.double_sided != 0u ? emission : vec3(0.0), 1.0);
+
+    // Last, so that the derivatives above are those of whole quads.
+    if (base.a < m.alpha_cutoff || depth > view.far) discard;
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame/gpu_scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "core/error.h"
+#include "techniques/frame/gpu_scene_params.h"
+
+namespace luxel {
+namespace {
+
+// Every device can bind this much as one storage buffer.
+constexpr std::uint64_t largest_binding = std::uint64_t(128) << 20;
+
+template <class T> gpu::Buffer upload_limited(gpu::Gpu& gpu, const Scene& scene, const std::vector<T>& values,
+                                              std::string name) {
+    std::uint64_t bytes = values.size() * sizeof(T);
+    if (bytes > largest_binding)
+        fail(Fault::resource, "{}: {}: {} MiB, more than the {} MiB that one GPU buffer holds", scene.name,
+             name, bytes >> 20, largest_binding >> 20);
+    return gpu.upload(std::span<const T>(values), std::move(name));
+}
+
+// Where a mesh's elements begin in the arrays of all meshes.
+struct MeshPlace {
+    std::uint32_t first_index;
+    int base_vertex;
+    int uv0, uv1, tangent, color; // relative to the base vertex, or ABSENT
+};
+
+// Appends an optional attribute and returns its offset relative to the base vertex.
+template <class T> int append(std::vector<T>& all, const std::vector<T>& values, int base_vertex) {
+    if (values.empty()) return shared::ABSENT;
+    int offset = int(all.size()) - base_vertex;
+    all.insert(all.end(), values.begin(), values.end());
+    return offset;
+}
+
+// Rows are cross products of the columns: inverse transpose up to a positive factor.
+glm::mat3 normal_matrix(const glm::mat4& transform, float handedness) {
+    glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);
+    return glm::mat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)) * handedness;
+}
+
+shared::InstanceRecord instance_record(const Instance& instance, const MeshPlace& place) {
+    shared::InstanceRecord r{};
+    r.object_to_world = instance.transform;
+    r.handedness = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    r.normal_to_world = normal_matrix(instance.transform, r.handedness);
+    r.uv0 = place.uv0, r.uv1 = place.uv1, r.tangent = place.tangent, r.color = place.color;
+    return r;
+}
+
+Bounds world_bounds(const Bounds& box, const glm::mat4& transform) {
+    Bounds world;
+    if (box.empty()) return world;
+    for (int i = 0; i < 8; ++i) {
+        glm::vec3 corner((i & 1) ? box.most.x : box.least.x, (i & 2) ? box.most.y : box.least.y,
+                         (i & 4) ? box.most.z : box.least.z);
+        world.add(glm::vec3(transform * glm::vec4(corner, 1.0f)));
+    }
+    return world;
+}
+
+shared::TextureRecord texture_record(const Scene& scene, const TextureUse& use) {
+    shared::TextureRecord r{};
+    if (use.texture < 0) return r;
+    const Texture& texture = scene.textures[std::size_t(use.texture)];
+    glm::mat3 rows = glm::transpose(use.transform);
+    r.u_row = rows[0], r.v_row = rows[1];
+    r.size = {float(texture.pixels.width), float(texture.pixels.height)};
+    r.wrap_u = shared::uint(texture.wrap_u), r.wrap_v = shared::uint(texture.wrap_v);
+    r.set = shared::uint(use.set);
+    r.present = 1;
+    return r;
+}
+static_assert(shared::uint(Wrap::repeat) == shared::WRAP_REPEAT &&
+              shared::uint(Wrap::clamp) == shared::WRAP_CLAMP &&
+              shared::uint(Wrap::mirror) == shared::WRAP_MIRROR);
+
+// The texture slots of a material, by the shader's names; the alpha test reads the first.
+struct TextureSlot {
+    const char* name;
+    TextureUse Material::*use;
+    shared::TextureRecord shared::MaterialRecord::*record;
+};
+constexpr TextureSlot texture_slots[] = {
+    {"base_color_texture", &Material::base_color_texture, &shared::MaterialRecord::base_color_texture},
+    {"metallic_roughness_texture", &Material::metallic_roughness_texture,
+     &shared::MaterialRecord::metallic_roughness_texture},
+    {"normal_texture", &Material::normal_texture, &shared::MaterialRecord::normal_texture},
+    {"emission_texture", &Material::emission_texture, &shared::MaterialRecord::emission_texture},
+    {"specular_texture", &Material::specular_texture, &shared::MaterialRecord::specular_texture},
+    {"specular_color_texture", &Material::specular_color_texture,
+     &shared::MaterialRecord::specular_color_texture},
+    {"transmission_texture", &Material::transmission_texture, &shared::MaterialRecord::transmission_texture},
+};
+
+shared::MaterialRecord material_record(const Scene& scene, const Material& m) {
+    shared::MaterialRecord r{};
+    r.base_color = m.base_color;
+    r.emission = m.emission;
+    r.metallic = m.metallic, r.roughness = m.roughness;
+    r.normal_scale = m.normal_scale;
+    r.ior = m.ior;
+    r.specular = m.specular, r.specular_color = m.specular_color;
+    r.transmission = m.transmission;
+    if (m.alpha_mode != AlphaMode::opaque)
+        r.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.5f;
+    r.double_sided = m.double_sided ? 1 : 0;
+    for (const TextureSlot& slot : texture_slots) r.*slot.record = texture_record(scene, m.*slot.use);
+    return r;
+}
+
+gpu::Image upload_texture(gpu::Gpu& gpu, const Texture& texture, bool mipmaps) {
+    const Pixels8& p = texture.pixels;
+    gpu::ImageInfo info{.width = std::uint32_t(p.width),
+                        .height = std::uint32_t(p.height),
+                        .format = texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM};
+    if (mipmaps) info.mips = std::uint32_t(std::bit_width(std::max(info.width, info.height)));
+    return gpu.upload_image(info, std::as_bytes(std::span(p.rgba)), "texture " + texture.name);
+}
+
+} // namespace
+
+GpuScene::GpuScene(gpu::Gpu& gpu, const Scene& scene, bool mipmaps) : scene_(&scene) {
+    upload_geometry(gpu);
+    upload_materials(gpu, mipmaps);
+}
+
+void GpuScene::upload_geometry(gpu::Gpu& gpu) {
+    // All meshes behind one another; optional attributes take no memory where a mesh has none.
+    std::vector<std::uint32_t> indices;
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec4> tangents, colors;
+    std::vector<glm::vec2> texcoords;
+    std::vector<MeshPlace> places;
+    std::vector<Bounds> boxes;
+    for (const Mesh& mesh : scene_->meshes) {
+        MeshPlace place{};
+        place.first_index = std::uint32_t(indices.size());
+        place.base_vertex = int(positions.size());
+        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+        positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+        normals.insert(normals.end(), mesh.normals.begin(), mesh.normals.end());
+        place.uv0 = append(texcoords, mesh.texcoords[0], place.base_vertex);
+        place.uv1 = append(texcoords, mesh.texcoords[1], place.base_vertex);
+        place.tangent = append(tangents, mesh.tangents, place.base_vertex);
+        place.color = append(colors, mesh.colors, place.base_vertex);
+        places.push_back(place);
+        boxes.emplace_back();
+        for (glm::vec3 p : mesh.positions) boxes.back().add(p);
+    }
+
+    // One draw for each instance, neighbors by material.
+    std::vector<shared::InstanceRecord> records;
+    for (const Instance& instance : scene_->instances) {
+        const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
+        const MeshPlace& place = places[std::size_t(instance.mesh)];
+        Object object{.bounds = world_bounds(boxes[std::size_t(instance.mesh)], instance.transform),
+                      .draw = {.count = std::uint32_t(mesh.indices.size()),
+                               .first = place.first_index,
+                               .vertex_offset = place.base_vertex,
+                               .instance = std::uint32_t(records.size())},
+                      .material = mesh.material};
+        records.push_back(instance_record(instance, place));
+        if (mesh.indices.empty()) continue;
+        objects_.push_back(object);
+        bounds_.add(object.bounds.least), bounds_.add(object.bounds.most);
+    }
+    std::stable_sort(objects_.begin(), objects_.end(),
+                     [](const Object& a, const Object& b) { return a.material < b.material; });
+
+    indices_ = upload_limited(gpu, *scene_, indices, "indices");
+    positions_ = upload_limited(gpu, *scene_, positions, "positions");
+    normals_ = upload_limited(gpu, *scene_, normals, "normals");
+    tangents_ = upload_limited(gpu, *scene_, tangents, "tangents");
+    texcoords_ = upload_limited(gpu, *scene_, texcoords, "texcoords");
+    colors_ = upload_limited(gpu, *scene_, colors, "colors");
+    instances_ = upload_limited(gpu, *scene_, records, "instances");
+}
+
+void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
+    const std::byte white[4] = {std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
+    gpu::Image no_texture = gpu.upload_image({.format = VK_FORMAT_R8G8B8A8_UNORM}, white, "no texture");
+    std::vector<gpu::Image> textures(scene_->textures.size());
+    for (const Material& m : scene_->materials) {
+        shared::MaterialRecord record = material_record(*scene_, m);
+        MaterialOnGpu on_gpu{.masked = m.alpha_mode != AlphaMode::opaque};
+        on_gpu.all.push_back(
+            {"material", gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)});
+        for (const TextureSlot& slot : texture_slots) {
+            int index = (m.*slot.use).texture;
+            if (index < 0) {
+                on_gpu.all.push_back({slot.name, no_texture});
+                continue;
+            }
+            const Texture& texture = scene_->textures[std::size_t(index)];
+            gpu::Image& image = textures[std::size_t(index)];
+            if (!image) image = upload_texture(gpu, texture, mipmaps);
+            on_gpu.all.push_back(
+                {slot.name, image,
+                 texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat});
+        }
+        materials_.push_back(std::move(on_gpu));
+    }
+}
+
+std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use) const {
+    std::vector<gpu::Batch> batches;
+    int last_material = -1;
+    for (const Object& object : objects_) {
+        const MaterialOnGpu& material = materials_[std::size_t(object.material)];
+        if (surfaces != Surfaces::all && (surfaces == Surfaces::masked) != material.masked) continue;
+        if (!touches(frustum, object.bounds)) continue;
+        if (batches.empty() || (use != MaterialUse::none && object.material != last_material)) {
+            gpu::Batch& batch = batches.emplace_back();
+            if (use == MaterialUse::all) batch.bindings = material.all;
+            if (use == MaterialUse::alpha) batch.bindings = {material.all[0], material.all[1]};
+            last_material = object.material;
+        }
+        batches.back().draws.push_back(object.draw);
+    }
+    return batches;
+}
+
+gpu::Bindings GpuScene::vertex_bindings(MaterialUse use) const {
+    gpu::Bindings bindings = {{"positions", positions_}, {"instances", instances_}};
+    if (use != MaterialUse::none) {
+        bindings.push_back({"texcoords", texcoords_});
+        bindings.push_back({"colors", colors_});
+    }
+    if (use == MaterialUse::all) {
+        bindings.push_back({"normals", normals_});
+        bindings.push_back({"tangents", tangents_});
+    }
+    return bindings;
+}
+
+} // namespace luxel

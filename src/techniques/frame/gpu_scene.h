@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A scene on the GPU: vertex and index buffers, instances, materials, textures; and what of it to draw.
+#pragma once
+#include <vector>
+
+#include "gpu/recorder.h"
+#include "scene/scene.h"
+#include "techniques/frame/frustum.h"
+
+namespace luxel {
+
+enum class Surfaces { all, opaque, masked };
+// What a batch binds in descriptor set 1: nothing, what the alpha test reads, or the whole material.
+enum class MaterialUse { none, alpha, all };
+
+class GpuScene {
+public:
+    // mipmaps = false: textures have one level. Error Fault::resource: more vertices than one buffer can
+    // hold.
+    GpuScene(gpu::Gpu& gpu, const Scene& scene, bool mipmaps);
+
+    const Scene& scene() const { return *scene_; }
+    const Bounds& bounds() const { return bounds_; } // world
+
+    // Instances whose bounds touch the clip volume, one batch for each material (a single one for
+    // MaterialUse::none).
+    std::vector<gpu::Batch> batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use) const;
+
+    // Set 0 of the vertex shaders: "positions" and "instances" alone; with what the alpha test needs; all
+    // attributes.
+    gpu::Bindings vertex_bindings(MaterialUse use) const;
+    const gpu::Buffer& indices() const { return indices_; }
+
+private:
+    struct MaterialOnGpu {
+        gpu::Bindings all; // alpha: the first two
+        bool masked;
+    };
+    struct Object { // an instance as it is drawn
+        Bounds bounds;
+        gpu::Draw draw;
+        int material;
+    };
+    void upload_geometry(gpu::Gpu& gpu);
+    void upload_materials(gpu::Gpu& gpu, bool mipmaps);
+
+    const Scene* scene_;
+    Bounds bounds_;
+    gpu::Buffer indices_, positions_, normals_, tangents_, texcoords_, colors_, instances_;
+    std::vector<MaterialOnGpu> materials_;
+    std::vector<Object> objects_; // sorted by material
+};
+
+} // namespace luxel

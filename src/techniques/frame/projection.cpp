@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame/projection.h"
+
+namespace luxel {
+namespace {
+
+// dot((row, 1), (p - position, 1)) as a row of a matrix.
+glm::vec4 relative_row(glm::vec3 row, glm::vec3 position, float constant) {
+    return {row, constant - glm::dot(row, position)};
+}
+
+// Row that gives 1 at the tip of a scaled axis.
+glm::vec3 unit_at_tip(glm::vec3 axis) { return axis / glm::dot(axis, axis); }
+
+} // namespace
+
+glm::mat4 perspective_to_clip(const Axes& a, float near) {
+    return glm::transpose(glm::mat4(relative_row(unit_at_tip(a.right), a.position, 0.0f),
+                                    relative_row(unit_at_tip(a.up), a.position, 0.0f),
+                                    glm::vec4(0.0f, 0.0f, 0.0f, near),
+                                    relative_row(a.forward, a.position, 0.0f)));
+}
+
+glm::mat4 orthographic_to_clip(const Axes& a, float nearest, float farthest) {
+    float scale = 1.0f / (nearest - farthest);
+    return glm::transpose(glm::mat4(relative_row(unit_at_tip(a.right), a.position, 0.0f),
+                                    relative_row(unit_at_tip(a.up), a.position, 0.0f),
+                                    relative_row(a.forward * scale, a.position, -farthest * scale),
+                                    glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
+}
+
+shared::ViewParams view_params(const Camera& camera, int width, int height) {
+    CameraBasis b = camera_basis(camera, width, height);
+    shared::ViewParams v{};
+    v.world_to_clip = perspective_to_clip({b.position, b.forward, b.right, b.up}, camera.near);
+    v.position = b.position, v.forward = b.forward, v.right = b.right, v.up = b.up;
+    v.near = camera.near, v.far = camera.far;
+    v.width = float(width), v.height = float(height);
+    return v;
+}
+
+} // namespace luxel

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame/renderer.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "scene/lights.h"
+#include "techniques/frame/ambient_params.h"
+#include "techniques/frame/compose_params.h"
+#include "techniques/frame/direct_light.h"
+#include "techniques/frame/projection.h"
+
+namespace luxel {
+
+struct Renderer::Data {
+    Data(gpu::Gpu& g, const Scene& s, const FrameOptions& o)
+        : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps), direct(g, s, o) {
+        if (options.environment == EnvironmentMode::ambient && !scene.environment.empty()) {
+            std::vector<glm::vec3> sh = project_environment_sh(scene.environment);
+            LUXEL_ASSERT(sh.size() == 9, "size={}", sh.size());
+            std::copy(sh.begin(), sh.end(), ambient.sh);
+        }
+        environment = gpu.upload_image(
+            scene.environment.empty() ? Image(1, 1, 3) : scene.environment.radiance, "environment");
+        open = gpu.upload_image(Image(1, 1, 1, 1.0f), "open");
+    }
+
+    Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request) const;
+    void draw_gbuffer(gpu::Recorder& recorder, const Frame& frame) const;
+    void add_ambient(gpu::Recorder& recorder, const Frame& frame) const;
+    gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
+                       const std::vector<Contribution>& contributions) const;
+
+    gpu::Gpu& gpu;
+    const Scene& scene;
+    FrameOptions options;
+    GpuScene on_gpu;
+    DirectLight direct;
+    shared::AmbientParams ambient{};
+    gpu::Image environment, open; // open: accessibility 1
+    std::shared_ptr<const void> identity = std::make_shared<int>(0);
+};
+
+namespace {
+
+// Sorted by slot; one technique in each.
+std::vector<Technique*> by_slot(std::vector<Technique*> techniques) {
+    std::stable_sort(techniques.begin(), techniques.end(),
+                     [](const Technique* a, const Technique* b) { return a->slot() < b->slot(); });
+    for (std::size_t i = 1; i < techniques.size(); ++i)
+        if (techniques[i - 1]->slot() == techniques[i]->slot())
+            fail(Fault::usage, "two techniques are for the slot \"{}\"; use one of them",
+                 slot_name(techniques[i]->slot()));
+    return techniques;
+}
+
+// Times of passes with the same name together, in the order of their first use.
+std::vector<gpu::PassTime> sum_by_name(const std::vector<gpu::PassTime>& passes) {
+    std::vector<gpu::PassTime> sums;
+    for (const gpu::PassTime& pass : passes) {
+        auto same =
+            std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.name == pass.name; });
+        if (same == sums.end())
+            sums.push_back(pass);
+        else
+            same->ms += pass.ms;
+    }
+    return sums;
+}
+
+Image without_alpha(const Image& rgba) {
+    Image rgb(rgba.width, rgba.height, 3);
+    for (int y = 0; y < rgb.height; ++y)
+        for (int x = 0; x < rgb.width; ++x) rgb.set_rgb(x, y, rgba.rgb(x, y));
+    return rgb;
+}
+
+// The last image of that name that the frame or a technique made.
+gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
+    const std::vector<gpu::Image>& made = recorder.images();
+    auto found =
+        std::find_if(made.rbegin(), made.rend(), [&](const gpu::Image& i) { return i.name() == name; });
+    if (found != made.rend()) return *found;
+    std::set<std::string> known;
+    for (const gpu::Image& image : made) known.insert(image.name());
+    fail(Fault::usage, "{}: the frame has no such image; it has: {}", name, fmt::join(known, ", "));
+}
+
+} // namespace
+
+Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) const {
+    Frame f;
+    f.width = std::uint32_t(request.width), f.height = std::uint32_t(request.height);
+    f.view = view_params(request.camera, request.width, request.height);
+    f.camera = request.camera;
+    f.scene = &on_gpu;
+    auto image = [&](VkFormat format, const char* name) {
+        return recorder.image({.width = f.width, .height = f.height, .format = format}, name);
+    };
+    f.gbuffer.diffuse = image(VK_FORMAT_R16G16B16A16_SFLOAT, "diffuse");
+    f.gbuffer.specular = image(VK_FORMAT_R16G16B16A16_SFLOAT, "specular");
+    f.gbuffer.normal = image(VK_FORMAT_R16G16B16A16_SFLOAT, "normal");
+    f.gbuffer.geometric_normal = image(VK_FORMAT_R16G16B16A16_SFLOAT, "geometric_normal");
+    f.gbuffer.depth = image(VK_FORMAT_R32_SFLOAT, "depth");
+    f.gbuffer.hardware_depth = image(VK_FORMAT_D32_SFLOAT, "hardware_depth");
+    f.direct = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct");
+    f.direct_diffuse = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct_diffuse");
+    f.ambient = image(VK_FORMAT_R32G32B32A32_SFLOAT, "ambient");
+    return f;
+}
+
+void Renderer::Data::draw_gbuffer(gpu::Recorder& recorder, const Frame& frame) const {
+    const GBuffer& g = frame.gbuffer;
+    const std::array<float, 4> black{};
+    gpu::RasterPass pass{.color = {{g.diffuse, black},
+                                   {g.specular, black},
+                                   {g.normal, black},
+                                   {g.geometric_normal, black},
+                                   {g.depth, black},
+                                   {frame.direct, black}},
+                         .depth = gpu::DepthTarget{.image = g.hardware_depth,
+                                                   .clear = 0.0f,
+                                                   .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
+    recorder.draw("frame/gbuffer", pass, frame.view, on_gpu.vertex_bindings(MaterialUse::all),
+                  on_gpu.indices(),
+                  on_gpu.batches(frustum_of(frame.view.world_to_clip), Surfaces::all, MaterialUse::all));
+}
+
+void Renderer::Data::add_ambient(gpu::Recorder& recorder, const Frame& frame) const {
+    if (options.environment != EnvironmentMode::ambient || scene.environment.empty()) {
+        recorder.clear(frame.ambient, {});
+        return;
+    }
+    recorder.dispatch(
+        "frame/ambient.comp", extent_of(frame.ambient), ambient,
+        {{"diffuse", frame.gbuffer.diffuse}, {"normal", frame.gbuffer.normal}, {"ambient", frame.ambient}});
+}
+
+gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
+                                   const std::vector<Contribution>& contributions) const {
+    // Slots are in order, so the occlusion slot's accessibility comes before any other's.
+    auto with_access = std::find_if(contributions.begin(), contributions.end(),
+                                    [](const Contribution& c) { return bool(c.accessibility); });
+    gpu::Image radiance = recorder.image({.width = frame.width, .height = frame.height}, "radiance");
+    shared::ComposeParams p{.view = frame.view,
+                            .environment_rotation = scene.environment.rotation,
+                            .environment_scale = scene.environment.empty() ? 0.0f : scene.environment.scale};
+    recorder.dispatch(
+        "frame/compose.comp", extent_of(radiance), p,
+        {{"depth", frame.gbuffer.depth},
+         {"direct", frame.direct},
+         {"ambient", frame.ambient},
+         {"accessibility", with_access == contributions.end() ? open : with_access->accessibility},
+         {"environment", environment},
+         {"radiance", radiance}});
+    for (const Contribution& c : contributions)
+        if (c.radiance)
+            recorder.dispatch("frame/add.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+                              {{"contribution", c.radiance}, {"radiance", radiance}});
+    return radiance;
+}
+
+Renderer::Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options)
+    : data_(std::make_unique<Data>(gpu, scene, options)) {}
+Renderer::~Renderer() = default;
+
+RenderResult Renderer::render(const RenderRequest& request) {
+    if (request.width < 1 || request.height < 1 || request.width > max_image_side ||
+        request.height > max_image_side)
+        fail(Fault::usage, "{}x{}: the image size must be 1 to {} on both sides", request.width,
+             request.height, max_image_side);
+    Data& d = *data_;
+    std::vector<Technique*> techniques = by_slot(request.techniques);
+    for (Technique* t : techniques) {
+        if (t->prepared_by.lock() == d.identity) continue;
+        t->prepare(d.gpu, d.scene);
+        t->prepared_by = d.identity;
+    }
+
+    // The frame as a program.
+    d.gpu.reset_memory_peak();
+    gpu::Recorder recorder(d.gpu);
+    Frame frame = d.make_frame(recorder, request);
+    d.draw_gbuffer(recorder, frame);
+    recorder.clear(frame.direct_diffuse, {});
+    d.direct.render(recorder, frame);
+    d.add_ambient(recorder, frame);
+    std::vector<Contribution> contributions;
+    for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
+    gpu::Image radiance = d.compose(recorder, frame, contributions);
+
+    RenderResult result;
+    result.passes = sum_by_name(recorder.submit());
+    result.memory_bytes = d.gpu.memory().peak;
+    result.radiance = without_alpha(d.gpu.read(radiance));
+    result.mask = d.gpu.read(frame.gbuffer.depth);
+    for (float& v : result.mask.data) v = v > 0.0f ? 1.0f : 0.0f;
+    for (const std::string& name : request.images)
+        result.images[name] = d.gpu.read(find_image(recorder, name));
+    return result;
+}
+
+} // namespace luxel

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame/shadow_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "shared/sampling.h"
+#include "techniques/frame/esm_params.h"
+#include "techniques/frame/projection.h"
+
+namespace luxel {
+namespace {
+
+// Texels around what a map must cover: the PCF kernel reaches 2 texels, and the receiver's offset up to
+// 4 half texels along each axis' share of the normal, 2 sqrt(2) texels at most.
+constexpr int guard = 5;
+float guarded(int size) { return float(size) / float(size - 2 * guard); }
+
+// A perspective map keeps a relative depth precision of DEPTH_ROUNDING * far / near: with this ratio a
+// thousandth at worst, half a texel of a 2048-texel map of 90 degrees.
+constexpr float near_by_far = 1.0f / 2048.0f;
+
+// Wider cones waste their texels on the rim: the five faces of a cube take over at 120 degrees.
+constexpr float widest_tangent = 1.7320508f;
+
+float outer_tangent(const shared::Light& light) {
+    float c = std::max(light.cos_outer, 1e-4f);
+    return std::sqrt(std::max(1.0f - c * c, 1e-8f)) / c;
+}
+
+float farthest_corner(const Bounds& b, glm::vec3 from) {
+    return std::max(glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from))), 1e-3f);
+}
+
+shared::ShadowView perspective_view(glm::vec3 position, glm::vec3 forward, glm::vec3 right, glm::vec3 up,
+                                    float tangent, float far, int size) {
+    tangent *= guarded(size);
+    shared::ShadowView v{};
+    v.world_to_map =
+        perspective_to_clip({position, forward, right * tangent, up * tangent}, far * near_by_far);
+    v.right = right, v.up = up;
+    v.half_texel = glm::vec2(tangent / float(size));
+    v.near_by_far = near_by_far;
+    return v;
+}
+
+shared::ShadowView directional_view(const shared::ShadowedLight& light, const Bounds& scene,
+                                    const std::vector<glm::vec3>& receivers, int size) {
+    // The receivers' rectangle as the light sees it.
+    const glm::mat3& axes = light.axes;
+    Bounds box;
+    for (glm::vec3 p : receivers) box.add(p * axes);
+    if (box.empty()) box.add(scene.least * axes), box.add(scene.most * axes);
+    glm::vec2 half = glm::max(glm::vec2(box.most - box.least) * 0.5f, glm::vec2(1e-4f)) * guarded(size);
+
+    // Everything in the scene may cast a shadow, also what lies outside of the camera's view.
+    float radius = std::max(scene.radius(), 1e-3f) * 1.001f;
+    float middle = glm::dot(scene.center(), axes[2]);
+    glm::vec3 origin = axes * glm::vec3(glm::vec2(box.center()), middle - radius);
+
+    shared::ShadowView v{};
+    v.world_to_map =
+        orthographic_to_clip({origin, axes[2], axes[0] * half.x, axes[1] * half.y}, 0.0f, 2.0f * radius);
+    v.right = axes[0], v.up = axes[1];
+    v.half_texel = half / float(size);
+    v.near_by_far = 0.0f;
+    return v;
+}
+
+} // namespace
+
+int shadow_map_count(const shared::Light& light) {
+    if (light.type == shared::LIGHT_POINT) return 6;
+    if (light.type == shared::LIGHT_COSINE) return 5;
+    if (light.type == shared::LIGHT_SPOT && outer_tangent(light) > widest_tangent) return 5;
+    return 1;
+}
+
+FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
+                            const std::vector<glm::vec3>& receivers, int size) {
+    LUXEL_ASSERT(size > 2 * guard, "size={}", size);
+    FittedLight fitted;
+    shared::ShadowedLight& l = fitted.light;
+    l.light = light;
+    l.axes = light.type == shared::LIGHT_POINT ? glm::mat3(1.0f)
+                                               : shared::frame_around(glm::normalize(light.direction));
+    l.first_map = 0;
+    l.maps = shared::uint(shadow_map_count(light));
+    if (light.type == shared::LIGHT_DIRECTIONAL) {
+        fitted.views = {directional_view(l, scene, receivers, size)};
+        return fitted;
+    }
+
+    float far = farthest_corner(scene, light.position);
+    if (light.range > 0.0f) far = std::min(far, light.range);
+    if (l.maps == 1) {
+        fitted.views = {perspective_view(light.position, l.axes[2], l.axes[0], l.axes[1],
+                                         outer_tangent(light), far, size)};
+        return fitted;
+    }
+    // The order of shared::cube_face.
+    const glm::vec3 &x = l.axes[0], &y = l.axes[1], &z = l.axes[2];
+    const glm::vec3 faces[6][3] = {{z, x, y}, {x, y, z}, {-x, y, z}, {y, z, x}, {-y, z, x}, {-z, x, y}};
+    for (shared::uint i = 0; i < l.maps; ++i)
+        fitted.views.push_back(
+            perspective_view(light.position, faces[i][0], faces[i][1], faces[i][2], 1.0f, far, size));
+    return fitted;
+}
+
+ShadowMaps::ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode) : mode_(mode) {
+    gpu::ImageInfo info{.width = std::uint32_t(size),
+                        .height = std::uint32_t(size),
+                        .format = VK_FORMAT_D32_SFLOAT,
+                        .layers = std::uint32_t(layers)};
+    depth_ = gpu.image(info, "shadow maps");
+    if (mode != ShadowMode::esm) return;
+    info.format = VK_FORMAT_R32_SFLOAT;
+    filtered_ = gpu.image(info, "filtered shadow maps");
+    temporary_ = gpu.image(info, "half filtered shadow maps");
+}
+
+std::vector<gpu::Image> ShadowMaps::images() const {
+    if (mode_ != ShadowMode::esm) return {depth_};
+    return {depth_, filtered_};
+}
+
+const gpu::Image& ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
+                                   const std::vector<shared::ShadowView>& views, float esm_exponent) const {
+    LUXEL_ASSERT(int(views.size()) <= layers(), "views={} layers={}", views.size(), layers());
+
+    // Both sides cast shadows, so nothing is culled by orientation.
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
+        const glm::mat4& m = views[i].world_to_map;
+        Frustum frustum = frustum_of(m);
+        gpu::RasterPass pass{.depth = gpu::DepthTarget{.image = depth_.layer(i),
+                                                       .clear = 0.0f,
+                                                       .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
+        recorder.draw("frame/shadow", pass, m, scene.vertex_bindings(MaterialUse::none), scene.indices(),
+                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none));
+        std::vector<gpu::Batch> masked = scene.batches(frustum, Surfaces::masked, MaterialUse::alpha);
+        if (masked.empty()) continue;
+        pass.depth->clear.reset();
+        recorder.draw("frame/shadow_mask", pass, m, scene.vertex_bindings(MaterialUse::alpha),
+                      scene.indices(), masked);
+    }
+    if (mode_ != ShadowMode::esm) return depth_;
+
+    // Blur of exp(c z) along x, then y.
+    shared::EsmParams p{
+        .direction = {1, 0}, .exponent = esm_exponent, .maps = int(views.size()), .reversed = 1};
+    std::copy(views.begin(), views.end(), p.views);
+    gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
+    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", depth_}, {"to", temporary_}});
+    p.direction = {0, 1}, p.reversed = 0;
+    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", temporary_}, {"to", filtered_}});
+    return filtered_;
+}
+
+} // namespace luxel

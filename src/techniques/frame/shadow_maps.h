@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Which shadow maps a light needs, and drawing them.
+#pragma once
+#include <vector>
+
+#include "gpu/recorder.h"
+#include "techniques/frame/frame.h"
+#include "techniques/frame/shadow_params.h"
+
+namespace luxel {
+
+// A light and its maps; first_map is given when a batch is put together.
+struct FittedLight {
+    shared::ShadowedLight light;
+    std::vector<shared::ShadowView> views;
+};
+
+// Point: the 6 faces of a cube. Cosine, and spots wider than 120 degrees: 5 faces, none behind the light's
+// plane. Other spots: one cone. Directional: one box around `receivers` (what the camera can see), as deep as
+// the scene.
+FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
+                            const std::vector<glm::vec3>& receivers, int size);
+
+// Number of maps that fit_shadow_maps gives the light.
+int shadow_map_count(const shared::Light& light);
+
+// Arrays of maps of one size, re-used by every batch of lights.
+class ShadowMaps {
+public:
+    ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode);
+    int size() const { return int(depth_.width()); }
+    int layers() const { return int(depth_.info().layers); }
+
+    // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result is what
+    // frame/direct.comp reads.
+    const gpu::Image& draw(gpu::Recorder& recorder, const GpuScene& scene,
+                           const std::vector<shared::ShadowView>& views, float esm_exponent) const;
+    std::vector<gpu::Image> images() const;
+
+private:
+    ShadowMode mode_;
+    gpu::Image depth_;                // D32F
+    gpu::Image filtered_, temporary_; // R32F, ShadowMode::esm only
+};
+
+} // namespace luxel
