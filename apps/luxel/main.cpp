@@ -1,2 +1,97 @@
 // SPDX-License-Identifier: MIT
-int main() { return 0; }
+// luxel: the command line. Exit codes are those of core/error.h, one sentence on stderr says why.
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "commands.h"
+#include "core/error.h"
+
+namespace {
+
+using luxel::Fault;
+
+int report(Fault fault, const std::string& sentence) {
+    std::fflush(stdout);
+    fmt::print(stderr, "luxel: {}\n", sentence);
+    return static_cast<int>(fault);
+}
+
+// CLI11's messages end in a hint of their own and may span lines.
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+// CLI11 itself would say that a subcommand is missing.
+void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::string known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == argv[1]) return;
+        known += (known.empty() ? "" : ", ") + command->get_name();
+    }
+    luxel::fail(Fault::usage, "command line: no subcommand '{}'; known are {}", argv[1], known);
+}
+
+constexpr const char* footer =
+    R"(Exit codes: 0 done, 2 wrong usage, 3 not possible on this machine, 4 bad input, 5 out of
+memory or another resource, 6 cannot read or write, 7 the device was lost.
+
+Examples:
+  luxel reference scene.gltf --component diffuse --spp 256 -o truth.exr
+Each subcommand has its own --help.)";
+
+int run(int argc, char** argv) {
+    luxel::app::Global global;
+    CLI::App app(
+        "Which global-illumination technique should a scene use, what does it cost, how wrong is it?",
+        "luxel");
+    app.set_version_flag("--version", "luxel " LUXEL_VERSION);
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.footer(footer);
+    app.get_formatter()->column_width(34);
+    app.add_flag("--strict", global.strict, "A substitute (a missing texture) is an error, not a warning");
+    app.add_flag("--quiet", global.quiet, "No progress on stderr");
+    app.add_flag("--json", global.json, "Print figures as JSON");
+
+    // The limit lives as long as the work does.
+    std::optional<tbb::global_control> limit;
+    app.add_option("--threads", global.threads, "CPU threads; 0 = all")->check(CLI::Range(0, 1024));
+    app.parse_complete_callback([&] {
+        if (global.threads > 0)
+            limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(global.threads));
+    });
+
+    using namespace luxel::app;
+    for (auto add : {add_reference, add_info, add_devices}) add(app, global);
+    require_known_subcommand(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& done) { // --help, --version
+        return app.exit(done);
+    } catch (const CLI::ParseError& e) {
+        return report(Fault::usage, "command line: " + one_line(e.what()) + " (--help lists what there is)");
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const luxel::Error& e) {
+        return report(e.fault(), e.what());
+    } catch (const std::bad_alloc&) {
+        return report(Fault::resource, "memory: not enough for this run");
+    } catch (const std::filesystem::filesystem_error& e) {
+        return report(Fault::io, e.what());
+    }
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// One function per subcommand; each adds itself to the command line and runs from CLI11's callback.
+#pragma once
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace luxel::app {
+
+// Options that every subcommand takes.
+struct Global {
+    bool strict = false, quiet = false, json = false;
+    int threads = 0; // of the CPU; 0 = all
+};
+
+void add_reference(CLI::App& app, const Global& global);
+void add_info(CLI::App& app, const Global& global);
+void add_devices(CLI::App& app, const Global& global);
+
+} // namespace luxel::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/error.h"
+#include "core/image_io.h"
+#include "core/parameters.h"
+#include "experiments/json_text.h"
+#include "experiments/output_folder.h"
+#include "scene/load.h"
+
+namespace luxel::app {
+
+namespace {
+
+// A scene may have a warning per material; beyond this many they are only counted.
+constexpr std::size_t printed_warnings = 20;
+
+int parse_side(std::string_view text, std::string_view whole) {
+    int side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (error != std::errc{} || end != text.data() + text.size() || side < 1 || side > max_image_side)
+        fail(Fault::usage, "--size {}: expected WIDTHxHEIGHT, each from 1 to {}", whole, max_image_side);
+    return side;
+}
+
+std::string ending_of(const std::string& file) { return std::filesystem::path(file).extension().string(); }
+
+} // namespace
+
+Size parse_size(const std::string& text) {
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const std::string_view view = text;
+    return {parse_side(view.substr(0, cross), text),
+            parse_side(view.substr(std::min(cross + 1, text.size())), text)};
+}
+
+std::vector<std::pair<std::string, std::string>> parse_values(const std::string& option,
+                                                              const std::string& text) {
+    return text.empty() ? decltype(Specification::values){} : parse_specification(option + ":" + text).values;
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+    const std::size_t shown = std::min(warnings.size(), printed_warnings);
+    for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "luxel: warning: {}\n", warnings[i]);
+    if (warnings.size() > 1) fmt::print(stderr, "luxel: warning: {} warnings in all\n", warnings.size());
+}
+
+Scene load(const std::string& source, const Global& global) {
+    Scene scene = load_scene(source, {.strict = global.strict});
+    print_warnings(scene.warnings);
+    return scene;
+}
+
+void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", dump(json)); }
+
+void check_picture_output(const std::string& file) {
+    if (ending_of(file) != ".exr" && ending_of(file) != ".png")
+        fail(Fault::usage, "{}: output: expected a name that ends in .exr or .png", file);
+    check_writable(file);
+}
+
+void write_picture(const std::string& file, const Layers& layers, const Image& picture, const Image& mask,
+                   float exposure, const std::map<std::string, std::string>& metadata) {
+    if (ending_of(file) == ".exr") return write_exr(file, layers, metadata);
+    write_png(file, display(picture, exposure > 0 ? exposure : exposure_of(picture, mask)));
+}
+
+} // namespace luxel::app

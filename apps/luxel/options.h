@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What several subcommands share: sizes, scenes with their warnings, frame options.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "core/image.h"
+#include "scene/scene.h"
+
+namespace luxel::app {
+
+struct Size {
+    int width = 640, height = 480;
+};
+// "WIDTHxHEIGHT", each 1 to max_image_side. Error Fault::usage.
+Size parse_size(const std::string& text);
+
+// "key=value,key=value" for --frame. Error Fault::usage.
+std::vector<std::pair<std::string, std::string>> parse_values(const std::string& option,
+                                                              const std::string& text);
+
+void print_warnings(const std::vector<std::string>& warnings);
+
+// Loaded under --strict, warnings printed.
+Scene load(const std::string& source, const Global& global);
+
+void print_json(const nlohmann::ordered_json& json);
+
+// Writes by the file's ending: .exr as radiance, .png as display values under `exposure` (0: from the image
+// itself). Error Fault::usage for another ending.
+void write_picture(const std::string& file, const Layers& layers, const Image& picture, const Image& mask,
+                   float exposure, const std::map<std::string, std::string>& metadata);
+// The same check, before any work.
+void check_picture_output(const std::string& file);
+
+} // namespace luxel::app

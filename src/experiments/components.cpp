@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/components.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "reference/reference.h"
+
+namespace luxel {
+
+namespace {
+
+// The families of light paths inside a component, as far as components overlap.
+std::set<std::string> parts_of(const std::string& component) {
+    if (component == "full") return {"direct", "first bounce", "later bounces", "specular"};
+    if (component == "diffuse") return {"first bounce", "later bounces"};
+    if (component == "diffuse1" || component == "diffuse1_unoccluded") return {"first bounce"};
+    return {component};
+}
+
+} // namespace
+
+std::vector<std::string> parse_components(std::string_view text) {
+    std::vector<std::string> components;
+    std::set<std::string> seen;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('+', begin), text.size());
+        const std::string name(text.substr(begin, end - begin));
+        begin = end + 1;
+
+        if (std::find(component_names.begin(), component_names.end(), name) == component_names.end())
+            fail(Fault::usage, "component: '{}' is unknown; known: {}", name,
+                 fmt::join(component_names, ", "));
+        for (const std::string& part : parts_of(name))
+            if (!seen.insert(part).second)
+                fail(Fault::usage, "component: '{}' counts the same light twice ({})", text, part);
+        components.push_back(name);
+    }
+    if (components.size() > 1 && seen.count("ao"))
+        fail(Fault::usage, "component: '{}' adds ao, which is no radiance, to light", text);
+    return components;
+}
+
+Image sum_of(const Layers& layers, const std::vector<std::string>& components) {
+    Image sum;
+    for (const std::string& name : components) {
+        const auto layer = layers.find(name);
+        LUXEL_ASSERT(layer != layers.end(), "component={}", name);
+        if (sum.empty()) {
+            sum = layer->second;
+            continue;
+        }
+        LUXEL_ASSERT(sum.data.size() == layer->second.data.size(), "component={}", name);
+        for (std::size_t i = 0; i < sum.data.size(); ++i) sum.data[i] += layer->second.data[i];
+    }
+    return sum;
+}
+
+} // namespace luxel

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Sums of light-path components as typed on the command line: "direct+diffuse1", "full".
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image.h"
+
+namespace luxel {
+
+// Error Fault::usage: unknown name (the known are listed), or parts that would count the same light twice.
+std::vector<std::string> parse_components(std::string_view text);
+
+// Sum of the named layers; every name must be there.
+Image sum_of(const Layers& layers, const std::vector<std::string>& components);
+
+} // namespace luxel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/view_choice.h"
+
+#include <cctype>
+#include <set>
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "scene/views.h"
+
+namespace luxel {
+
+namespace {
+
+// Names become file names, so they must differ as such.
+void make_names_unique(std::vector<Camera>& cameras) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        std::string name = cameras[i].name.empty() ? fmt::format("view{}", i) : cameras[i].name;
+        const std::string stem = name;
+        for (int n = 2; !taken.insert(file_name_of(name)).second; ++n) name = fmt::format("{}-{}", stem, n);
+        cameras[i].name = name;
+    }
+}
+
+const Camera* find_view(const std::vector<Camera>& cameras, const std::string& wanted) {
+    for (const Camera& camera : cameras)
+        if (camera.name == wanted) return &camera;
+    const bool number =
+        !wanted.empty() && wanted.size() < 7 && wanted.find_first_not_of("0123456789") == wanted.npos;
+    if (number && std::stoul(wanted) < cameras.size()) return &cameras[std::stoul(wanted)];
+    return nullptr;
+}
+
+} // namespace
+
+std::string file_name_of(const std::string& name) {
+    std::string out;
+    for (char c : name)
+        out += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.' ? c : '_';
+    if (out.empty() || out[0] == '.') out.insert(out.begin(), '_');
+    return out.substr(0, 100);
+}
+
+std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice) {
+    const Scene& scene = rays.scene();
+    std::vector<Camera> all =
+        choice.drawn > 0 ? draw_views(scene, rays, choice.drawn, choice.seed) : scene.cameras;
+    make_names_unique(all);
+    if (choice.names.empty()) return all;
+
+    std::vector<Camera> chosen;
+    for (const std::string& name : choice.names) {
+        const Camera* camera = find_view(all, name);
+        if (!camera) {
+            std::vector<std::string> known;
+            for (const Camera& c : all) known.push_back(c.name);
+            fail(Fault::usage, "--view {}: no such view; known: {}", name, fmt::join(known, ", "));
+        }
+        chosen.push_back(*camera);
+    }
+    return chosen;
+}
+
+} // namespace luxel

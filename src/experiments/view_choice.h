@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Which cameras a run looks through, each with a name of its own.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/raycast.h"
+#include "scene/scene.h"
+
+namespace luxel {
+
+struct ViewChoice {
+    int drawn = 0; // > 0: that many views drawn by seed instead of the scene's cameras
+    std::uint32_t seed = 1;
+    std::vector<std::string> names; // only these: names, or numbers from 0; empty = all
+};
+
+// Names are unique and never empty. Error Fault::usage for a view that is not there (the known are listed).
+std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice);
+
+// Letters, digits, "-", "_", "." kept, everything else "_"; never empty, never hidden.
+std::string file_name_of(const std::string& name);
+
+} // namespace luxel
