@@ -68,7 +68,6 @@ public:
     std::uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
     VkPhysicalDeviceMemoryProperties memory_types{};
-    bool anisotropy = false;
     DeviceInfo info;
     std::shared_ptr<MessageLog> log = std::make_shared<MessageLog>();
     MemoryUse memory;

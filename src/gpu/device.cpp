@@ -51,7 +51,6 @@ struct Features {
     std::vector<VkBool32*> optional() {
         return {&v13.shaderTerminateInvocation,
                 &v12.shaderOutputViewportIndex,
-                &core.features.samplerAnisotropy,
                 &core.features.vertexPipelineStoresAndAtomics,
                 &core.features.shaderImageGatherExtended,
                 &core.features.largePoints,
@@ -325,7 +324,6 @@ void Context::make_device() {
     for (const auto& item : wanted.required()) *item.flag = VK_TRUE;
     const auto from = present.optional(), to = wanted.optional();
     for (std::size_t i = 0; i < to.size(); ++i) *to[i] = *from[i];
-    anisotropy = wanted.core.features.samplerAnisotropy;
 
     std::vector<const char*> extensions;
     if (atomic_float) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);

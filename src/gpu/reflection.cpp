@@ -43,6 +43,8 @@ public:
 
     Reflection reflection() const {
         Reflection r = head_;
+        for (std::size_t i = 0; i < local_size_ids_.size(); ++i)
+            r.local_size[i] = ids_.at(local_size_ids_[i]).operands.at(0);
         for (const auto& [id, variable] : ids_) {
             if (variable.op != spv::OpVariable) continue;
             if (variable.storage == spv::StorageClassOutput && r.stage == VK_SHADER_STAGE_FRAGMENT_BIT &&
@@ -84,6 +86,9 @@ private:
         case spv::OpExecutionMode:
             if (w[1] == spv::ExecutionModeLocalSize) head_.local_size = {w[2], w[3], w[4]};
             break;
+        case spv::OpExecutionModeId: // the constants follow later
+            if (w[1] == spv::ExecutionModeLocalSizeId) local_size_ids_.assign(w.begin() + 2, w.end());
+            break;
         case spv::OpDecorate:
             read_decoration(ids_[w[0]], spv::Decoration(w[1]), w.subspan(2));
             break;
@@ -108,6 +113,7 @@ private:
             break;
         }
         case spv::OpConstant:
+        case spv::OpSpecConstant: // its default
         case spv::OpVariable: {
             Id& id = ids_[w[1]];
             id.op = op;
@@ -343,6 +349,7 @@ private:
     const std::string& name_;
     std::unordered_map<std::uint32_t, Id> ids_;
     Reflection head_;
+    std::vector<std::uint32_t> local_size_ids_;
 };
 
 } // namespace
