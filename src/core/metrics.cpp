@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Distances between images; sums in double and in a fixed order, so figures do not depend on the thread
+// count.
+#include "core/metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace luxel {
+namespace {
+
+void check_sizes(const Image& a, const Image& b, const Image& mask) {
+    LUXEL_ASSERT(a.width == b.width && a.height == b.height && !a.empty(), "{}x{} against {}x{}", a.width,
+                 a.height, b.width, b.height);
+    LUXEL_ASSERT(mask.empty() || (mask.width == a.width && mask.height == a.height),
+                 "mask {}x{}, image {}x{}", mask.width, mask.height, a.width, a.height);
+}
+
+bool counts(const Image& mask, int x, int y) { return mask.empty() || *mask.at(x, y) > 0.0f; }
+
+// Mean of value(x, y) over the pixels that count; 0 when none does.
+template <class Value> double mean(const Image& image, const Image& mask, Value&& value) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (counts(mask, x, y)) sum += value(x, y), ++count;
+    return count ? sum / double(count) : 0.0;
+}
+
+double average(glm::dvec3 v) { return (v.x + v.y + v.z) / 3.0; }
+
+double squared_error(const Image& reference, const Image& image, const Image& mask) {
+    check_sizes(reference, image, mask);
+    return mean(reference, mask, [&](int x, int y) {
+        const glm::dvec3 d = glm::dvec3(image.rgb(x, y)) - glm::dvec3(reference.rgb(x, y));
+        return average(d * d);
+    });
+}
+
+// Mean absolute difference of the channels of one pixel.
+double distance(const Image& a, const Image& b, int x, int y) {
+    return average(glm::abs(glm::dvec3(a.rgb(x, y)) - glm::dvec3(b.rgb(x, y))));
+}
+
+// The thesis's own luminance weights [Rohleder2010, eq. 17].
+double thesis_luminance(glm::dvec3 c) { return 0.27 * c.r + 0.67 * c.g + 0.06 * c.b; }
+
+} // namespace
+
+double rmse(const Image& reference, const Image& image, const Image& mask) {
+    return std::sqrt(squared_error(reference, image, mask));
+}
+
+double relmse(const Image& reference, const Image& image, const Image& mask) {
+    check_sizes(reference, image, mask);
+    return mean(reference, mask, [&](int x, int y) {
+        const glm::dvec3 r(reference.rgb(x, y)), d = glm::dvec3(image.rgb(x, y)) - r;
+        return average(d * d / (r * r + 0.01));
+    });
+}
+
+double mean_error(const Image& reference, const Image& image, const Image& mask) {
+    check_sizes(reference, image, mask);
+    return mean(reference, mask, [&](int x, int y) { return distance(reference, image, x, y); });
+}
+
+double correlation(const Image& reference, const Image& image, const Image& mask) {
+    check_sizes(reference, image, mask);
+    const auto a = [&](int x, int y) { return thesis_luminance(reference.rgb(x, y)); };
+    const auto b = [&](int x, int y) { return thesis_luminance(image.rgb(x, y)); };
+    const double mean_a = mean(reference, mask, a), mean_b = mean(reference, mask, b);
+    const auto moment = [&](auto&& f, double mean_f, auto&& g, double mean_g) {
+        return mean(reference, mask, [&](int x, int y) { return (f(x, y) - mean_f) * (g(x, y) - mean_g); });
+    };
+    const double covariance = moment(a, mean_a, b, mean_b);
+    const double variances = moment(a, mean_a, a, mean_a) * moment(b, mean_b, b, mean_b);
+
+    // Without variance there is no correlation to speak of, unless both are flat alike.
+    if (variances <= 0.0) return mean_a == mean_b ? 1.0 : 0.0;
+    return std::clamp(covariance / std::sqrt(variances), -1.0, 1.0);
+}
+
+double psnr(const Image& reference, const Image& image, const Image& mask) {
+    const double error = squared_error(reference, image, mask);
+    return error > 0.0 ? -10.0 * std::log10(error) : std::numeric_limits<double>::infinity();
+}
+
+double ssim(const Image& reference, const Image& image, const Image& mask) {
+    check_sizes(reference, image, mask);
+    constexpr int radius = 5;
+    constexpr double sigma = 1.5, c1 = 0.01 * 0.01, c2 = 0.03 * 0.03; // (K L)^2 with L = 1
+    std::array<double, 2 * radius + 1> weights;
+    double total = 0.0;
+    for (int i = -radius; i <= radius; ++i)
+        total += weights[std::size_t(i + radius)] = std::exp(-i * i / (2.0 * sigma * sigma));
+    for (double& weight : weights) weight /= total;
+
+    // Per pixel a, b, a^2, b^2 and ab of the luminance, blurred along rows, then along columns where needed.
+    using Moments = std::array<double, 5>;
+    const int width = reference.width, height = reference.height;
+    const int inner_width = width - 2 * radius, inner_height = height - 2 * radius;
+    if (inner_width < 1 || inner_height < 1) return std::numeric_limits<double>::quiet_NaN();
+    std::vector<Moments> rows(std::size_t(inner_width) * std::size_t(height));
+    parallel_for(std::size_t(height), 8, [&](std::size_t y) {
+        for (int x = 0; x < inner_width; ++x) {
+            Moments sum{};
+            for (int k = 0; k <= 2 * radius; ++k) {
+                const double a = luminance(reference.rgb(x + k, int(y))),
+                             b = luminance(image.rgb(x + k, int(y)));
+                const Moments moments = {a, b, a * a, b * b, a * b};
+                for (std::size_t m = 0; m < 5; ++m) sum[m] += weights[std::size_t(k)] * moments[m];
+            }
+            rows[y * std::size_t(inner_width) + std::size_t(x)] = sum;
+        }
+    });
+
+    // [Wang2004, eq. 13] at every whole window; its center decides whether it counts.
+    Image similarity(width, height, 1), inside(width, height, 1);
+    parallel_for(std::size_t(inner_height), 8, [&](std::size_t y) {
+        for (int x = 0; x < inner_width; ++x) {
+            Moments sum{};
+            for (std::size_t k = 0; k <= 2 * radius; ++k)
+                for (std::size_t m = 0; m < 5; ++m)
+                    sum[m] += weights[k] * rows[(y + k) * std::size_t(inner_width) + std::size_t(x)][m];
+            const auto [a, b, aa, bb, ab] = sum;
+            const double covariance = ab - a * b, variances = aa - a * a + bb - b * b;
+            const int center_x = x + radius, center_y = int(y) + radius;
+            *similarity.at(center_x, center_y) = float((2.0 * a * b + c1) * (2.0 * covariance + c2) /
+                                                       ((a * a + b * b + c1) * (variances + c2)));
+            *inside.at(center_x, center_y) = counts(mask, center_x, center_y) ? 1.0f : 0.0f;
+        }
+    });
+    return mean(similarity, inside, [&](int x, int y) { return double(*similarity.at(x, y)); });
+}
+
+int quality(double delta_a, double delta_b) { return delta_a < delta_b ? 1 : delta_b < delta_a ? -1 : 0; }
+
+double gain(double delta_baseline, double delta) {
+    return delta_baseline > 0.0 ? 100.0 * (delta_baseline - delta) / delta_baseline : 0.0;
+}
+
+Improvement improvement(const Image& reference, const Image& baseline, const Image& image,
+                        const Image& mask) {
+    check_sizes(reference, image, mask);
+    check_sizes(reference, baseline, mask);
+    const auto share = [&](int sign) {
+        return mean(reference, mask, [&](int x, int y) {
+            const double ours = distance(reference, image, x, y),
+                         before = distance(reference, baseline, x, y);
+            return quality(ours, before) == sign ? 1.0 : 0.0;
+        });
+    };
+    return {share(1), share(0)};
+}
+
+Image difference_picture(const Image& a, const Image& b) {
+    check_sizes(a, b, {});
+    Image picture(a.width, a.height, 3);
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) picture.set_rgb(x, y, 1.0f - glm::abs(a.rgb(x, y) - b.rgb(x, y)));
+    return picture;
+}
+
+} // namespace luxel
