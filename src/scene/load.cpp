@@ -2,15 +2,69 @@
 // Chooses the reader for a scene source and completes what the scene lacks.
 #include "scene/load.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "core/error.h"
+#include "scene/gltf/gltf.h"
+#include "scene/lights.h"
+#include "scene/obj.h"
 #include "scene/procedural_builtin.h"
+#include "scene/scene_file.h"
+#include "scene/validate.h"
+#include "scene/views.h"
 
 namespace luxel {
+namespace {
 
-Scene load_scene(const std::string& source, const LoadOptions&) {
-    const std::string prefix = "builtin:";
-    if (source.starts_with(prefix)) return builtin_scene(source.substr(prefix.size()));
-    fail(Fault::bad_input, "{}: unknown kind of scene; supported is builtin:NAME", source);
+constexpr std::string_view builtin_prefix = "builtin:";
+
+std::string lower_case_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return extension;
+}
+
+bool emits(const Scene& scene) {
+    const auto shines = [](const shared::Light& light) { return luminance(light.intensity) > 0.0f; };
+    return std::any_of(scene.lights.begin(), scene.lights.end(), shines) || !scene.environment.empty() ||
+           !emissive_triangles(scene).empty();
+}
+
+// Something to see the scene from and something to see it by.
+void add_defaults(Scene& scene, const std::string& source) {
+    if (scene.cameras.empty()) {
+        scene.cameras = default_cameras(scene);
+        scene.warnings.push_back(
+            fmt::format("{}: the scene has no camera; three views from outside are used", source));
+    }
+    if (!emits(scene)) {
+        scene.environment = gradient_sky({0.9f, 0.95f, 1.0f}, {0.3f, 0.5f, 0.9f}, glm::vec3(0.2f));
+        scene.warnings.push_back(fmt::format(
+            "{}: the scene has no light; a sky from (0.9, 0.95, 1) at the horizon to (0.3, 0.5, 0.9) at "
+            "the zenith, over a ground of 0.2, is used",
+            source));
+    }
+}
+
+} // namespace
+
+Scene load_geometry(const std::string& source, const LoadOptions& options) {
+    if (source.starts_with(builtin_prefix)) return builtin_scene(source.substr(builtin_prefix.size()));
+    const std::string extension = lower_case_extension(source);
+    if (extension == ".gltf" || extension == ".glb") return load_gltf(source, options);
+    if (extension == ".obj") return load_obj(source, options);
+    fail(Fault::bad_input,
+         "{}: unknown kind of scene; supported are .gltf, .glb, .obj, .toml and builtin:NAME", source);
+}
+
+Scene load_scene(const std::string& source, const LoadOptions& options) {
+    const bool wrapped = !source.starts_with(builtin_prefix) && lower_case_extension(source) == ".toml";
+    Scene scene = wrapped ? load_scene_file(source, options) : load_geometry(source, options);
+    validate_scene(scene, source);
+    add_defaults(scene, source);
+    return scene;
 }
 
 } // namespace luxel

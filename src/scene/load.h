@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any scene source to a Scene: "builtin:NAME", .gltf, .glb, .obj, .toml (wraps geometry, see docs/scene-file.md).
+// Any scene source to a Scene: "builtin:NAME", .gltf, .glb, .obj, .toml (wraps geometry, see
+// docs/scene-file.md).
 #pragma once
 #include <string>
 #include <vector>
@@ -12,9 +13,12 @@ struct LoadOptions {
     bool strict = false; // a substitute (missing texture) is an error instead of a warning
 };
 
-// Validated: every index in range, every number finite, at least one triangle, at least one camera and at least one
-// source of light (stated defaults are added with a warning). Errors: Fault::bad_input, Fault::io.
+// Validated: every index in range, every number finite, at least one triangle, at least one camera and at
+// least one source of light (stated defaults are added with a warning). Errors: Fault::bad_input, Fault::io.
 Scene load_scene(const std::string& source, const LoadOptions& options = {});
+
+// One file, or one built-in scene, as it is: no defaults added, no scene file. Same errors.
+Scene load_geometry(const std::string& source, const LoadOptions& options = {});
 
 // Names accepted after "builtin:", with one line each.
 struct BuiltinScene {

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// From TOML text to a merged scene. The file is untrusted: sizes are capped, and it names files beneath its
+// folder.
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/file.h"
+#include "scene/lights.h"
+#include "scene/printable.h"
+#include "scene/scene_file_objects.h"
+#include "scene/scene_file_section.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint64_t max_file_bytes = 256 << 10;
+constexpr std::uint64_t max_map_bytes = std::uint64_t(512) << 20;
+constexpr std::size_t max_geometry_files = 64;
+
+// Each dot of a key nests a table, and the parser bounds only brackets: long chains would end on the stack.
+constexpr int max_dots_per_line = 64;
+
+constexpr double far_away = 1e9; // meters
+constexpr double bright = 1e12;  // W/sr, W/m2 or W/(m2 sr)
+float radians(float degrees) { return degrees * (shared::PI / 180.0f); }
+
+toml::table parse(const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> bytes = read_file(path, max_file_bytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    int line = 1, dots = 0;
+    for (const char c : text) {
+        if (c == '\n') ++line, dots = 0;
+        if (c == '.' && ++dots > max_dots_per_line)
+            fail(Fault::bad_input, "{}: line {}: more than {} dots on one line", path.string(), line,
+                 max_dots_per_line);
+    }
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        fail(Fault::bad_input, "{}: line {}: {}", path.string(), error.source().begin.line,
+             printable(error.description()));
+    }
+}
+
+// The path of geometry named in a scene file: beneath its folder, through no symbolic link.
+std::filesystem::path beneath(const std::filesystem::path& root, const std::string& relative,
+                              const Section& section) {
+    if (relative.empty() || relative.front() == '/' || relative.find('\0') != std::string::npos)
+        section.reject("file",
+                       fmt::format("\"{}\" is no path within the scene file's folder", printable(relative)));
+    std::filesystem::path path = root;
+    for (const std::filesystem::path& component : std::filesystem::path(relative)) {
+        if (component == "..")
+            section.reject("file", fmt::format("\"{}\" leaves the scene file's folder", printable(relative)));
+        path /= component;
+        std::error_code absent;
+        if (std::filesystem::is_symlink(path, absent))
+            section.reject("file", fmt::format("\"{}\" is a symbolic link; links are not followed",
+                                               printable(path.string())));
+    }
+    return path;
+}
+
+// Turns about x, then y, then z.
+glm::mat3 rotation(glm::vec3 degrees) {
+    const glm::vec3 c = glm::cos(degrees * (shared::PI / 180.0f)),
+                    s = glm::sin(degrees * (shared::PI / 180.0f));
+    const glm::mat3 x(1, 0, 0, 0, c.x, s.x, 0, -s.x, c.x), y(c.y, 0, -s.y, 0, 1, 0, s.y, 0, c.y),
+        z(c.z, s.z, 0, -s.z, c.z, 0, 0, 0, 1);
+    return z * y * x;
+}
+
+// Moves everything that has a place; light intensities stay, as glTF has it for scaled nodes.
+void place(Scene& scene, glm::vec3 translation, const glm::mat3& turn, glm::vec3 scale) {
+    const glm::mat3 linear = turn * glm::mat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
+    glm::mat4 transform(linear);
+    transform[3] = glm::vec4(translation, 1.0f);
+    for (Instance& instance : scene.instances) instance.transform = transform * instance.transform;
+    for (shared::Light& light : scene.lights) {
+        light.position = linear * light.position + translation;
+        light.direction = turn * light.direction;
+        light.range *= std::cbrt(scale.x * scale.y * scale.z);
+    }
+    for (Camera& camera : scene.cameras) {
+        camera.position = linear * camera.position + translation;
+        camera.forward = glm::normalize(turn * camera.forward);
+        camera.up = glm::normalize(turn * camera.up);
+    }
+}
+
+template <class T> void append(std::vector<T>& all, std::vector<T>& more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+void shift(TextureUse& use, int textures) {
+    if (use.texture >= 0) use.texture += textures;
+}
+
+// Appends `part` to `scene`, renumbering what refers by index.
+void merge(Scene& scene, Scene part) {
+    const int textures = int(scene.textures.size()), materials = int(scene.materials.size()),
+              meshes = int(scene.meshes.size());
+    for (Material& m : part.materials)
+        for (TextureUse* use :
+             {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
+              &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+            shift(*use, textures);
+    for (Mesh& mesh : part.meshes) mesh.material += materials;
+    for (Instance& instance : part.instances) instance.mesh += meshes;
+    append(scene.textures, part.textures);
+    append(scene.materials, part.materials);
+    append(scene.meshes, part.meshes);
+    append(scene.instances, part.instances);
+    append(scene.lights, part.lights);
+    append(scene.cameras, part.cameras);
+    append(scene.warnings, part.warnings);
+}
+
+void read_geometry(Section& top, const std::filesystem::path& root, const LoadOptions& options,
+                   Scene& scene) {
+    const auto load = [&](const Section& section, const std::string& file) {
+        if (file.starts_with("builtin:")) return load_geometry(file, options);
+        return load_geometry(beneath(root, file, section).string(), options);
+    };
+
+    // The short form names one file.
+    if (!top.has("geometry")) top.reject("geometry", "\"geometry\" is missing");
+    if (top.is_text("geometry")) {
+        merge(scene, load(top, *top.text("geometry")));
+        return;
+    }
+    std::vector<Section> sections = top.sections("geometry");
+    if (sections.size() > max_geometry_files)
+        top.reject("geometry", fmt::format("more than {} geometry files", max_geometry_files));
+    for (Section& section : sections) {
+        const std::string file = section.required_text("file");
+        const glm::vec3 translation =
+            section.triple("translate", -far_away, far_away).value_or(glm::vec3(0.0f));
+        const glm::vec3 degrees = section.triple("rotate_degrees", -3600, 3600).value_or(glm::vec3(0.0f));
+        const glm::vec3 scale = section.triple("scale", 1e-6, 1e6, true).value_or(glm::vec3(1.0f));
+        section.finish();
+        Scene part = load(section, file);
+        place(part, translation, rotation(degrees), scale);
+        merge(scene, std::move(part));
+    }
+}
+
+// Either a direction, or a target to look at from `position`.
+std::optional<glm::vec3> aim(Section& section, std::string_view direction_key,
+                             std::optional<glm::vec3> position) {
+    const auto direction = section.direction(direction_key);
+    const auto target = section.triple("target", -far_away, far_away);
+    if (!target) return direction;
+    if (direction)
+        section.reject("target", fmt::format("give \"{}\" or \"target\", not both", direction_key));
+    if (!position) section.reject("target", "\"target\" needs \"position\"");
+    if (glm::length(*target - *position) < 1e-6f)
+        section.reject("target", "\"target\" is where \"position\" is");
+    return glm::normalize(*target - *position);
+}
+
+shared::Light read_light(Section& section) {
+    shared::Light light{};
+    const std::string type = section.required_text("type");
+    if (type == "point")
+        light.type = shared::LIGHT_POINT;
+    else if (type == "spot")
+        light.type = shared::LIGHT_SPOT;
+    else if (type == "directional")
+        light.type = shared::LIGHT_DIRECTIONAL;
+    else
+        section.reject(
+            "type", fmt::format("unknown type \"{}\"; known are point, spot, directional", printable(type)));
+
+    // Only what the type knows is asked for, so that anything else is reported.
+    light.intensity = section.required_triple("intensity", 0, bright, true);
+    const auto position = section.triple("position", -far_away, far_away);
+    if (light.type != shared::LIGHT_DIRECTIONAL) {
+        if (!position) section.reject("type", fmt::format("a {} light needs \"position\"", type));
+        light.range = section.number("range", 0, far_away).value_or(0.0f);
+    }
+    light.position = position.value_or(glm::vec3(0.0f));
+    light.direction = {0, -1, 0};
+    if (light.type != shared::LIGHT_POINT) {
+        const auto direction = aim(section, "direction", position);
+        if (!direction)
+            section.reject("type", fmt::format("a {} light needs \"direction\" or \"target\"", type));
+        light.direction = *direction;
+    }
+    if (light.type == shared::LIGHT_SPOT) {
+        const float outer = section.number("outer_degrees", 0.1, 90).value_or(45.0f);
+        const float inner = section.number("inner_degrees", 0, 90).value_or(0.0f);
+        if (inner > outer) section.reject("inner_degrees", "\"inner_degrees\" is above \"outer_degrees\"");
+        light.cos_inner = std::cos(radians(inner)), light.cos_outer = std::cos(radians(outer));
+    }
+    section.finish();
+    return light;
+}
+
+Camera read_camera(Section& section, std::size_t number) {
+    Camera camera;
+    camera.name = section.text("name").value_or(fmt::format("camera {}", number));
+    camera.position = section.required_triple("position", -far_away, far_away);
+    const auto forward = aim(section, "forward", camera.position);
+    if (!forward) section.reject("position", "a camera needs \"forward\" or \"target\"");
+    camera.forward = *forward;
+    camera.up = section.direction("up").value_or(glm::vec3(0, 1, 0));
+    if (glm::length(glm::cross(camera.forward, camera.up)) < 1e-3f)
+        section.reject("up", "the camera looks along its \"up\"; give another one");
+    camera.yfov = radians(section.number("yfov_degrees", 0.1, 179).value_or(45.0f));
+    camera.near = section.number("near", 1e-6, far_away).value_or(camera.near);
+    camera.far = section.number("far", 1e-6, far_away).value_or(std::max(camera.far, camera.near * 1e4f));
+    if (camera.far <= camera.near) section.reject("far", "\"far\" is not beyond \"near\"");
+    section.finish();
+    return camera;
+}
+
+// Any stored map as three channels of non-negative radiance.
+Image read_map(Section& section, const Folder& folder, const std::string& file,
+               std::vector<std::string>& warnings) {
+    const auto bytes = folder.read(file, max_map_bytes);
+    if (!bytes) section.reject("file", fmt::format("\"{}\" does not exist", printable(file)));
+    const Image stored = decode_hdr(*bytes, (folder.root() / file).string());
+    Image map(stored.width, stored.height, 3);
+    std::size_t negative = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const glm::vec3 color = stored.rgb(x, y);
+            if (color.r < 0.0f || color.g < 0.0f || color.b < 0.0f) ++negative;
+            map.set_rgb(x, y, glm::max(color, glm::vec3(0.0f)));
+        }
+    if (negative > 0)
+        warnings.push_back(fmt::format("{}: {} texels are negative and count as black", file, negative));
+    return map;
+}
+
+Environment read_environment(Section& section, const Folder& folder, std::vector<std::string>& warnings) {
+    Environment environment;
+    const auto file = section.text("file");
+    auto sky = section.section("sky");
+    if (file.has_value() == sky.has_value()) section.reject("file", "give either \"file\" or \"sky\"");
+    if (sky) {
+        const glm::vec3 horizon = sky->required_triple("horizon", 0, bright, true);
+        const glm::vec3 zenith = sky->required_triple("zenith", 0, bright, true);
+        const glm::vec3 ground = sky->triple("ground", 0, bright, true).value_or(glm::vec3(0.0f));
+        sky->finish();
+        environment = gradient_sky(horizon, zenith, ground);
+    }
+    environment.rotation = radians(section.number("rotation_degrees", -3600, 3600).value_or(0.0f));
+    environment.scale = section.number("scale", 0, bright).value_or(1.0f);
+    section.finish();
+    if (file) environment.radiance = read_map(section, folder, *file, warnings);
+    return environment;
+}
+
+} // namespace
+
+Scene load_scene_file(const std::filesystem::path& path, const LoadOptions& options) {
+    const toml::table table = parse(path);
+    const Folder folder(path.has_parent_path() ? path.parent_path() : ".");
+    Section top(table, path.string(), "");
+
+    // Small things first: a slip in a light should not cost the loading of the geometry.
+    Scene scene, added;
+    scene.name = top.text("name").value_or(path.stem().string());
+    const bool replace_lights = top.flag("replace_lights").value_or(false);
+    const bool replace_cameras = top.flag("replace_cameras").value_or(false);
+    for (Section& section : top.sections("light")) added.lights.push_back(read_light(section));
+    for (Section& section : top.sections("camera"))
+        added.cameras.push_back(read_camera(section, added.cameras.size() + 1));
+    std::vector<ObjectRule> rules;
+    for (Section& section : top.sections("object")) rules.push_back(read_object_rule(section));
+    auto environment = top.section("environment");
+    if (environment) scene.environment = read_environment(*environment, folder, scene.warnings);
+
+    read_geometry(top, folder.root(), options, scene);
+    top.finish();
+    apply_object_rules(scene, rules);
+
+    // The file's own cameras come before those of its geometry: they were chosen for it.
+    if (replace_lights) scene.lights.clear();
+    if (replace_cameras) scene.cameras.clear();
+    append(scene.lights, added.lights);
+    append(added.cameras, scene.cameras);
+    scene.cameras = std::move(added.cameras);
+    return scene;
+}
+
+} // namespace luxel

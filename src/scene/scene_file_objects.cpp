@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// A material change must not reach instances outside the rule, so shared meshes and materials are split
+// first.
+#include "scene/scene_file_objects.h"
+
+#include <map>
+
+#include "scene/printable.h"
+#include "scene/scene_file.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint64_t max_copied_vertices = std::uint64_t(32) << 20;
+constexpr std::size_t names_in_sentence = 8;
+
+// An overridden quantity no longer reads its texture.
+void change(Material& material, const ObjectRule& rule) {
+    if (rule.base_color) {
+        material.base_color = glm::vec4(*rule.base_color, material.base_color.a);
+        if (material.alpha_mode == AlphaMode::opaque) material.base_color_texture = {};
+    }
+    if (rule.metallic || rule.roughness) {
+        const bool textured = material.metallic_roughness_texture.texture >= 0;
+        if (textured && !(rule.metallic && rule.roughness))
+            rule.section.reject("name",
+                                fmt::format("material \"{}\" has one texture for both, so give \"metallic\" "
+                                            "and \"roughness\" together",
+                                            printable(material.name)));
+        material.metallic = rule.metallic.value_or(material.metallic);
+        material.roughness = rule.roughness.value_or(material.roughness);
+        material.metallic_roughness_texture = {};
+    }
+    if (rule.emission) material.emission = *rule.emission, material.emission_texture = {};
+    if (rule.transmission) material.transmission = *rule.transmission, material.transmission_texture = {};
+    if (rule.ior) material.ior = *rule.ior;
+}
+
+std::vector<int> uses_of_meshes(const Scene& scene, const std::vector<bool>* chosen) {
+    std::vector<int> uses(scene.meshes.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        if (!chosen || (*chosen)[i]) ++uses[std::size_t(scene.instances[i].mesh)];
+    return uses;
+}
+
+// Gives the chosen instances meshes and materials of their own, and changes those.
+void change_chosen(Scene& scene, const ObjectRule& rule, const std::vector<bool>& chosen,
+                   std::uint64_t& copied_vertices) {
+    const std::vector<int> all = uses_of_meshes(scene, nullptr), inside = uses_of_meshes(scene, &chosen);
+    std::map<int, int> own_material;
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        if (inside[m] == 0) continue;
+        const int old = scene.meshes[m].material;
+        const auto [place, is_new] = own_material.try_emplace(old, int(scene.materials.size()));
+        if (is_new) {
+            Material material = scene.materials[std::size_t(old)];
+            change(material, rule);
+            scene.materials.push_back(std::move(material));
+        }
+
+        // A mesh that others draw too is copied; how much may be is bounded, as the file is not trusted.
+        std::size_t target = m;
+        if (inside[m] < all[m]) {
+            copied_vertices += scene.meshes[m].positions.size();
+            if (copied_vertices > max_copied_vertices)
+                rule.section.reject("name", "too many meshes would have to be copied for this change");
+            target = scene.meshes.size();
+            Mesh copy = scene.meshes[m];
+            scene.meshes.push_back(std::move(copy));
+            for (std::size_t i = 0; i < chosen.size(); ++i)
+                if (chosen[i] && scene.instances[i].mesh == int(m)) scene.instances[i].mesh = int(target);
+        }
+        scene.meshes[target].material = place->second;
+    }
+}
+
+[[noreturn]] void reject_pattern(const Scene& scene, const ObjectRule& rule) {
+    std::string names;
+    for (std::size_t i = 0; i < scene.instances.size() && i < names_in_sentence; ++i)
+        names += (i ? ", " : "") + printable(scene.instances[i].name);
+    const bool more = scene.instances.size() > names_in_sentence;
+    rule.section.reject("name", fmt::format("no object is named \"{}\"; there are {}{}",
+                                            printable(rule.pattern), names, more ? ", ..." : ""));
+}
+
+} // namespace
+
+bool matches_glob(std::string_view pattern, std::string_view name) {
+    // On a mismatch only the latest * needs to take one character more: no backtracking beyond it.
+    constexpr std::size_t none = std::string_view::npos;
+    std::size_t p = 0, n = 0, star = none, resume = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*')
+            star = p++, resume = n;
+        else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n]))
+            ++p, ++n;
+        else if (star != none)
+            p = star + 1, n = ++resume;
+        else
+            return false;
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+ObjectRule read_object_rule(Section& section) {
+    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}};
+    rule.role = section.text("role");
+    rule.base_color = section.triple("base_color", 0, 1, true);
+    rule.metallic = section.number("metallic", 0, 1);
+    rule.roughness = section.number("roughness", 0, 1);
+    rule.emission = section.triple("emission", 0, 1e12, true);
+    rule.transmission = section.number("transmission", 0, 1);
+    rule.ior = section.number("ior", 1, 10);
+    section.finish();
+    if (!rule.role && !rule.changes_material()) section.reject("name", "the object changes nothing");
+    return rule;
+}
+
+void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules) {
+    std::uint64_t copied_vertices = 0;
+    for (const ObjectRule& rule : rules) {
+        std::vector<bool> chosen(scene.instances.size());
+        bool any = false;
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            chosen[i] = matches_glob(rule.pattern, scene.instances[i].name);
+            any = any || chosen[i];
+            if (chosen[i] && rule.role) scene.instances[i].role = *rule.role;
+        }
+        if (!any) reject_pattern(scene, rule);
+        if (rule.changes_material()) change_chosen(scene, rule, chosen, copied_vertices);
+    }
+}
+
+} // namespace luxel

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Typed access to TOML values with a line number in every complaint.
+#include "scene/scene_file_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/printable.h"
+
+namespace luxel {
+
+const toml::node* Section::find(std::string_view key) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+    return table_->get(key);
+}
+
+void Section::reject(std::string_view key, const std::string& reason) const {
+    const toml::node* node = table_->get(key);
+    const auto line = node ? node->source().begin.line : table_->source().begin.line;
+    const std::string place = title_.empty() ? "" : title_ + ": ";
+    fail(Fault::bad_input, "{}: line {}: {}{}", file_, line, place, reason);
+}
+
+void Section::missing(std::string_view key) const { reject(key, fmt::format("\"{}\" is missing", key)); }
+
+bool Section::has(std::string_view key) { return find(key) != nullptr; }
+
+bool Section::is_text(std::string_view key) {
+    const toml::node* node = find(key);
+    return node && node->is_string();
+}
+
+std::optional<std::string> Section::text(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto value = node->value<std::string>();
+    if (!value) reject(key, fmt::format("\"{}\" must be a text in quotes", key));
+    return value;
+}
+
+std::optional<bool> Section::flag(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto* value = node->as_boolean();
+    if (!value) reject(key, fmt::format("\"{}\" must be true or false", key));
+    return value->get();
+}
+
+float Section::checked(std::string_view key, const toml::node& node, double least, double most) const {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value) reject(key, fmt::format("\"{}\" must be made of numbers", key));
+    if (!(*value >= least && *value <= most))
+        reject(key, fmt::format("\"{}\" is {}, not within [{}, {}]", key, *value, least, most));
+    return float(*value);
+}
+
+std::optional<float> Section::number(std::string_view key, double least, double most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    return checked(key, *node, least, most);
+}
+
+std::optional<glm::vec3> Section::triple(std::string_view key, double least, double most, bool allow_one) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (allow_one && node->is_number()) return glm::vec3(checked(key, *node, least, most));
+    const toml::array* array = node->as_array();
+    if (!array || array->size() != 3)
+        reject(key, fmt::format("\"{}\" must be {}[x, y, z]", key, allow_one ? "a number or " : ""));
+    glm::vec3 value;
+    for (int i = 0; i < 3; ++i) value[i] = checked(key, (*array)[std::size_t(i)], least, most);
+    return value;
+}
+
+std::optional<glm::vec3> Section::direction(std::string_view key) {
+    const auto value = triple(key, -1e6, 1e6);
+    if (!value) return std::nullopt;
+    if (glm::length(*value) < 1e-6f) reject(key, fmt::format("\"{}\" has no length", key));
+    return glm::normalize(*value);
+}
+
+std::optional<Section> Section::section(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (!node->is_table()) reject(key, fmt::format("\"{}\" must be a table", key));
+    return Section(*node->as_table(), file_, std::string(key));
+}
+
+std::vector<Section> Section::sections(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const toml::array* array = node->as_array();
+    const auto is_table = [](const toml::node& element) { return element.is_table(); };
+    if (!array || !std::all_of(array->begin(), array->end(), is_table))
+        reject(key, fmt::format("\"{}\" must be written as [[{}]]", key, key));
+    std::vector<Section> sections;
+    for (const toml::node& element : *array)
+        sections.emplace_back(*element.as_table(), file_, std::string(key));
+    return sections;
+}
+
+glm::vec3 Section::required_triple(std::string_view key, double least, double most, bool allow_one) {
+    const auto value = triple(key, least, most, allow_one);
+    if (!value) missing(key);
+    return *value;
+}
+
+std::string Section::required_text(std::string_view key) {
+    const auto value = text(key);
+    if (!value) missing(key);
+    return *value;
+}
+
+void Section::finish() const {
+    for (const auto& [key, node] : *table_) {
+        if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
+        std::string list;
+        for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
+        reject(key.str(), fmt::format("unknown key \"{}\"; known are {}", printable(key.str()), list));
+    }
+}
+
+} // namespace luxel
