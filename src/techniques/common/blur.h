@@ -12,6 +12,7 @@ struct Blur {
 };
 
 // RGBA32F in and out. guide: normal in rgb, linear depth in a (0 = nothing there).
-gpu::Image blur(gpu::Recorder& recorder, const gpu::Image& from, const gpu::Image& guide, const Blur& settings);
+gpu::Image blur(gpu::Recorder& recorder, const gpu::Image& from, const gpu::Image& guide,
+                const Blur& settings);
 
 } // namespace luxel

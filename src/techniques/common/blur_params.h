@@ -6,9 +6,9 @@
 LUXEL_BEGIN
 
 struct BlurParams {
-    ivec2 direction;  // (1, 0) or (0, 1)
-    int radius;       // pixels
-    float sigma;      // pixels
+    ivec2 direction;       // (1, 0) or (0, 1)
+    int radius;            // pixels
+    float sigma;           // pixels
     float depth_tolerance; // relative depth difference per pixel that halves a weight; 0 = plain Gaussian
 };
 

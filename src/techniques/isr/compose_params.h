@@ -6,8 +6,8 @@
 LUXEL_BEGIN
 
 struct IsrComposeParams {
-    float scale; // full-size pixels per coarse pixel
-    uint mode;   // ISR_*
+    float scale;         // full-size pixels per coarse pixel
+    uint mode;           // ISR_*
     float k_isr, k_ssao; // thesis only [Rohleder2010, eq. 29]
 };
 

@@ -9,7 +9,6 @@
 
 namespace luxel {
 
-using gpu::Image;
 using gpu::Recorder;
 using shared::IsrParams;
 
@@ -31,7 +30,7 @@ namespace {
 
 // The coarse buffers of one frame.
 struct Coarse {
-    Image patches, receiver, source, albedo;
+    gpu::Image patches, receiver, source, albedo;
 };
 
 IsrParams make_params(const IsrOptions& options, const Frame& frame) {
@@ -74,8 +73,8 @@ Coarse downsample(Recorder& recorder, const Frame& frame, const IsrParams& p) {
     return c;
 }
 
-Image gather(Recorder& recorder, const Coarse& coarse, const gpu::Buffer& taps, const IsrParams& p) {
-    Image irradiance = recorder.image(coarse.patches.info(), "isr irradiance");
+gpu::Image gather(Recorder& recorder, const Coarse& coarse, const gpu::Buffer& taps, const IsrParams& p) {
+    gpu::Image irradiance = recorder.image(coarse.patches.info(), "isr irradiance");
     recorder.dispatch("isr/gather.comp", extent_of(irradiance), p,
                       {{"taps", taps},
                        {"patches", coarse.patches},
@@ -86,30 +85,34 @@ Image gather(Recorder& recorder, const Coarse& coarse, const gpu::Buffer& taps, 
 }
 
 // What a bounce's irradiance sends on: albedo/pi E.
-Image reflect(Recorder& recorder, const Image& irradiance, const Image& albedo) {
-    Image source = recorder.image(irradiance.info(), "isr source");
+gpu::Image reflect(Recorder& recorder, const gpu::Image& irradiance, const gpu::Image& albedo) {
+    gpu::Image source = recorder.image(irradiance.info(), "isr source");
     recorder.dispatch("isr/reflect.comp", extent_of(source), Recorder::NoParams{},
                       {{"irradiance", irradiance}, {"albedo", albedo}, {"source", source}});
     return source;
 }
 
 // a + b, with the accessibility of a.
-Image add(Recorder& recorder, const Image& a, const Image& b) {
-    Image sum = recorder.image(a.info(), "isr irradiance of all bounces");
-    recorder.dispatch("isr/add.comp", extent_of(sum), Recorder::NoParams{}, {{"a", a}, {"b", b}, {"sum", sum}});
+gpu::Image add(Recorder& recorder, const gpu::Image& a, const gpu::Image& b) {
+    gpu::Image sum = recorder.image(a.info(), "isr irradiance of all bounces");
+    recorder.dispatch("isr/add.comp", extent_of(sum), Recorder::NoParams{},
+                      {{"a", a}, {"b", b}, {"sum", sum}});
     return sum;
 }
 
 } // namespace
 
-Contribution Isr::compose(Recorder& recorder, const Frame& frame, const Image& irradiance, const Image& guide) const {
+Contribution Isr::compose(Recorder& recorder, const Frame& frame, const gpu::Image& irradiance,
+                          const gpu::Image& guide) const {
     shared::IsrComposeParams p{.scale = options_.resolution == IsrResolution::half ? 2.0f : 1.0f,
-                               .mode = options_.mode == IsrMode::thesis ? shared::ISR_THESIS : shared::ISR_CALIBRATED,
+                               .mode = options_.mode == IsrMode::thesis ? shared::ISR_THESIS
+                                                                        : shared::ISR_CALIBRATED,
                                .k_isr = options_.k_isr,
                                .k_ssao = options_.k_ssao};
     Contribution c{.radiance = recorder.image({.width = frame.width, .height = frame.height}, "isr radiance"),
                    .accessibility = recorder.image(
-                       {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32_SFLOAT}, "isr accessibility")};
+                       {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32_SFLOAT},
+                       "isr accessibility")};
     recorder.dispatch("isr/compose.comp", extent_of(c.radiance), p,
                       {{"irradiance", irradiance},
                        {"guide", guide},
@@ -131,8 +134,9 @@ std::vector<glm::vec4> isr_taps(const IsrParams& p) {
         }
         return taps;
     }
-    // The thesis's square of (2k+1)^2 - 1 offsets around the pixel [Rohleder2010, listing 6]; its spacing is not stated,
-    // so that the square spans the kernel's diameter. Counts in between drop the outermost offsets.
+    // The thesis's square of (2k+1)^2 - 1 offsets around the pixel [Rohleder2010, listing 6]; its spacing is
+    // not stated, so that the square spans the kernel's diameter. Counts in between drop the outermost
+    // offsets.
     int half = int(std::ceil((std::sqrt(float(p.taps + 1)) - 1.0f) / 2.0f));
     std::vector<glm::vec2> square;
     for (int y = -half; y <= half; ++y)
@@ -154,8 +158,8 @@ Contribution Isr::render(Recorder& recorder, const Frame& frame) {
     // First bounce from directly lit patches; each further bounce from the one before.
     Blur filter{.sigma = options_.blur, .depth_tolerance = options_.mode == IsrMode::thesis ? 0.0f : 0.01f};
     Coarse coarse = downsample(recorder, frame, p);
-    Image bounce = blur(recorder, gather(recorder, coarse, taps, p), coarse.receiver, filter);
-    Image irradiance = bounce;
+    gpu::Image bounce = blur(recorder, gather(recorder, coarse, taps, p), coarse.receiver, filter);
+    gpu::Image irradiance = bounce;
     for (int i = 1; i < options_.bounces; ++i) {
         coarse.source = reflect(recorder, bounce, coarse.albedo);
         bounce = blur(recorder, gather(recorder, coarse, taps, p), coarse.receiver, filter);

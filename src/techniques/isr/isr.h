@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Image-space radiosity [Rohleder2010]: every visible pixel is a patch that sends its direct light to the pixels around it.
+// Image-space radiosity [Rohleder2010]: every visible pixel is a patch that sends its direct light to the
+// pixels around it.
 #pragma once
 #include "techniques/frame/frame.h"
 #include "techniques/isr/isr_params.h"
@@ -14,11 +15,11 @@ struct IsrOptions {
     IsrMode mode = IsrMode::calibrated;
     int samples = 80;
     IsrResolution resolution = IsrResolution::half;
-    float radius = 1.0f;      // of the kernel, as a share of the image height
+    float radius = 1.0f; // of the kernel, as a share of the image height
     int bounces = 1;
-    float blur = 1.5f;        // Gaussian sigma, coarse pixels
-    float grazing = 0.05f;    // least cosine between a patch and the view ray
-    float ao_radius = 1.0f;   // meters
+    float blur = 1.5f;                 // Gaussian sigma, coarse pixels
+    float grazing = 0.05f;             // least cosine between a patch and the view ray
+    float ao_radius = 1.0f;            // meters
     float k_isr = 0.5f, k_ssao = 0.5f; // mode=thesis only
     void visit(Visitor& v);
 };
@@ -35,7 +36,8 @@ private:
     IsrOptions options_;
 };
 
-// Tap table of one mode: xy = offset, z = weight in coarse pixels; ISR_MAX_TAPS entries, the first `count` in use.
+// Tap table of one mode: xy = offset, z = weight in coarse pixels; ISR_MAX_TAPS entries, the first `count` in
+// use.
 std::vector<glm::vec4> isr_taps(const shared::IsrParams& params);
 
 } // namespace luxel

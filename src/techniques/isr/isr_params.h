@@ -42,12 +42,13 @@ LUXEL_FN float projected_solid_angle(vec3 normal_p, vec3 to_patch, vec3 area_vec
     return cos_p * cos_x_area / max(r2 * (r2 + length(area_vector) / PI), 1e-20f);
 }
 
-// Log-polar tap table: radii grow geometrically from inner to outer radius, angles by the golden angle, so that each octave
-// of distance, which carries about the same irradiance, gets the same number of taps.
+// Log-polar tap table: radii grow geometrically from inner to outer radius, angles by the golden angle, so
+// that each octave of distance, which carries about the same irradiance, gets the same number of taps.
 // `shift` in [0, 1) moves the radius, `turn` rotates: the pixel's place in its 4x4 block.
 struct IsrTap {
     vec2 offset;  // coarse pixels
-    float weight; // coarse pixels that the tap stands for: 1/(N density), density 1/(2 pi r^2 ln(R/r0)) per pixel
+    float weight; // coarse pixels that the tap stands for: 1/(N density), density 1/(2 pi r^2 ln(R/r0)) per
+                  // pixel
 };
 LUXEL_FN IsrTap log_polar_tap(int i, int count, float inner, float outer, float shift, float turn) {
     float span = log(outer / inner);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Image-space radiosity on analytic G-buffers: closed forms and invariants. The bound against the reference is in tests/.
+// Image-space radiosity on analytic G-buffers: closed forms and invariants. The bound against the reference
+// is in tests/.
 #include "techniques/isr/isr.h"
 
 #include <cmath>
@@ -23,13 +24,15 @@ struct AnalyticFrame {
     gpu::Gpu gpu{{.validation = true}};
     Frame frame;
 
-    AnalyticFrame(int width, int height, const std::function<Analytic(glm::vec3 origin, glm::vec3 ray)>& trace) {
+    AnalyticFrame(int width, int height,
+                  const std::function<Analytic(glm::vec3 origin, glm::vec3 ray)>& trace) {
         frame.width = std::uint32_t(width), frame.height = std::uint32_t(height);
         shared::ViewParams& v = frame.view;
         v.position = {0, 1, 0}, v.forward = {0, 0, -1};
         v.right = {float(width) / float(height), 0, 0}, v.up = {0, 1, 0};
         v.width = float(width), v.height = float(height);
-        Image depth(width, height, 1), normal(width, height, 4), diffuse(width, height, 4), direct(width, height, 4);
+        Image depth(width, height, 1), normal(width, height, 4), diffuse(width, height, 4),
+            direct(width, height, 4);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 glm::vec3 ray = world_position(v, {float(x) + 0.5f, float(y) + 0.5f}, 1.0f) - v.position;
@@ -64,8 +67,8 @@ Analytic floor_and_wall(glm::vec3 o, glm::vec3 ray) {
     return {to_wall, {0, 0, 1}, glm::vec3(0), glm::vec3(1)};
 }
 
-// Form factor from a point at distance c of a perpendicular rectangle's edge, opposite to one of its corners, to the
-// rectangle of width b along that edge and height a (Hottel and Sarofim's configuration B-4).
+// Form factor from a point at distance c of a perpendicular rectangle's edge, opposite to one of its corners,
+// to the rectangle of width b along that edge and height a (Hottel and Sarofim's configuration B-4).
 double corner_form_factor(double a, double b, double c) {
     double x = a / b, y = c / b, s = std::sqrt(x * x + y * y);
     return (std::atan(1 / y) - y / s * std::atan(1 / s)) / (2 * std::numbers::pi);
@@ -81,11 +84,13 @@ double mean_over_block(const Image& image, int x0, int y0, int size) {
 TEST(Isr, FloorBeforeALitWallReceivesItsFormFactor) {
     constexpr int size = 256;
     AnalyticFrame f(size, size, floor_and_wall);
-    auto [radiance, open] = f.run({{"samples", "256"}, {"radius", "2"}, {"blur", "0"}, {"resolution", "full"}});
+    auto [radiance, open] =
+        f.run({{"samples", "256"}, {"radius", "2"}, {"blur", "0"}, {"resolution", "full"}});
     // The visible wall is the rectangle x in [-2, 2], y in [0, 3]; compare along the image's middle column.
     for (int y : {205, 220, 240}) {
         int x = size / 2 - 4;
-        glm::vec3 ray = world_position(f.frame.view, {float(size) / 2, float(y) + 4.0f}, 1.0f) - f.frame.view.position;
+        glm::vec3 ray =
+            world_position(f.frame.view, {float(size) / 2, float(y) + 4.0f}, 1.0f) - f.frame.view.position;
         double to_wall = 2.0 + double(ray.z) * (-1.0 / double(ray.y));
         double expected = 2 * corner_form_factor(3, 2, to_wall); // E/pi = F for a wall of radiance 1
         EXPECT_NEAR(mean_over_block(radiance, x, y, 8) / expected, 1.0, 0.03) << "distance " << to_wall;
@@ -141,7 +146,8 @@ TEST(Isr, IsLinearInTheLight) {
     };
     AnalyticFrame one(64, 64, scaled(1)), ten(64, 64, scaled(10));
     Image a = one.run({}).first, b = ten.run({}).first;
-    for (std::size_t i = 0; i < a.data.size(); ++i) EXPECT_NEAR(b.data[i], 10 * a.data[i], 1e-4f + 1e-4f * b.data[i]);
+    for (std::size_t i = 0; i < a.data.size(); ++i)
+        EXPECT_NEAR(b.data[i], 10 * a.data[i], 1e-4f + 1e-4f * b.data[i]);
 }
 
 TEST(Isr, ThesisModeDarkensDirectLightByOcclusion) {
@@ -162,7 +168,8 @@ TEST(Isr, ThesisModeDarkensDirectLightByOcclusion) {
 }
 
 TEST(IsrTaps, WeightsIntegrateAnInverseSquareExactly) {
-    // Taps have density 1/(2 pi r^2 ln(R/r0)), so that the sum of weight/r^2 is the integral of 1/r^2 over the ring.
+    // Taps have density 1/(2 pi r^2 ln(R/r0)), so that the sum of weight/r^2 is the integral of 1/r^2 over
+    // the ring.
     double sum = 0;
     for (int i = 0; i < 80; ++i) {
         shared::IsrTap t = shared::log_polar_tap(i, 80, 0.5f, 200.0f, 0.5f, 0.0f);
@@ -183,9 +190,12 @@ TEST(IsrTaps, PatchesOfAPlaneAddUpToItsArea) {
             area += glm::length(shared::patch_area_vector(normal, ray, z, 4.0f / (n * n), 0.01f));
         }
     // Corners of the quad where the view's edges meet the plane n.x = -1.
-    auto corner = [&](float x, float y) { return glm::vec3(x, y, -1) * (-1.0f / glm::dot(normal, glm::vec3(x, y, -1))); };
+    auto corner = [&](float x, float y) {
+        return glm::vec3(x, y, -1) * (-1.0f / glm::dot(normal, glm::vec3(x, y, -1)));
+    };
     glm::vec3 a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
-    double expected = 0.5 * double(glm::length(glm::cross(b - a, c - a)) + glm::length(glm::cross(c - a, d - a)));
+    double expected =
+        0.5 * double(glm::length(glm::cross(b - a, c - a)) + glm::length(glm::cross(c - a, d - a)));
     EXPECT_NEAR(area / expected, 1.0, 1e-3);
 }
 
