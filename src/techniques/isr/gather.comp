@@ -57,8 +57,7 @@ vec4 thesis(ivec2 coarse, vec3 x_p, vec3 n_p, float z_p) {
         if (z <= 0.0) continue;
         vec3 d = position_at(o, z) - x_p;
         float distance = max(length(d), 1e-6);
-        // The occluder is a sphere as large as the spacing of the offsets at its depth.
-        float r = min(sqrt(p.pixel_area) * z * max(p.ao_stride, 1.0), distance);
+        float r = min(p.occluder * sqrt(p.pixel_area) * z, distance);
         blocked += 2.0 * PI / float(p.taps) * (1.0 - sqrt(1.0 - (r / distance) * (r / distance))) *
                    max(dot(n_p, d / distance), 0.0);
     }

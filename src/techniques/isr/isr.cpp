@@ -33,6 +33,9 @@ struct Coarse {
     gpu::Image patches, receiver, source, albedo;
 };
 
+// k of the smallest square of (2k+1)^2 - 1 offsets that holds `taps` of them.
+int square_half(int taps) { return int(std::ceil((std::sqrt(float(taps + 1)) - 1.0f) / 2.0f)); }
+
 IsrParams make_params(const IsrOptions& options, const Frame& frame) {
     std::uint32_t step = options.resolution == IsrResolution::half ? 2 : 1;
     IsrParams p{};
@@ -49,7 +52,10 @@ IsrParams make_params(const IsrOptions& options, const Frame& frame) {
     p.inner_radius = 0.5f;
     p.grazing = options.grazing;
     p.ao_radius = options.ao_radius;
+    // The thesis states neither its offsets nor its sphere: occlusion uses half the spacing of radiosity,
+    // with spheres that touch each other.
     p.ao_stride = 0.5f;
+    p.occluder = 0.5f * p.ao_stride * p.radius / float(square_half(p.taps));
     return p;
 }
 
@@ -137,7 +143,7 @@ std::vector<glm::vec4> isr_taps(const IsrParams& p) {
     // The thesis's square of (2k+1)^2 - 1 offsets around the pixel [Rohleder2010, listing 6]; its spacing is
     // not stated, so that the square spans the kernel's diameter. Counts in between drop the outermost
     // offsets.
-    int half = int(std::ceil((std::sqrt(float(p.taps + 1)) - 1.0f) / 2.0f));
+    int half = square_half(p.taps);
     std::vector<glm::vec2> square;
     for (int y = -half; y <= half; ++y)
         for (int x = -half; x <= half; ++x)
@@ -167,5 +173,7 @@ Contribution Isr::render(Recorder& recorder, const Frame& frame) {
     }
     return compose(recorder, frame, irradiance, coarse.receiver);
 }
+
+std::unique_ptr<Technique> make_isr() { return std::make_unique<Isr>(); }
 
 } // namespace luxel

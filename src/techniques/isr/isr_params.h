@@ -24,6 +24,7 @@ struct IsrParams {
     float grazing;      // least |cos| between a patch's normal and the view ray
     float ao_radius;    // meters; occluders beyond it do not count
     float ao_stride;    // thesis: occlusion offsets relative to the radiosity offsets
+    float occluder;     // thesis: radius of the occluding spheres, coarse pixels
 };
 
 // A coarse pixel as a patch of the scene: its normal times its area, m2.
