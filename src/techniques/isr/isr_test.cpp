@@ -164,7 +164,7 @@ TEST(Isr, ThesisModeDarkensDirectLightByOcclusion) {
         EXPECT_LE(occluded.data[i], 0.0f);
         darkest = std::min(darkest, double(occluded.data[i]));
     }
-    EXPECT_LT(darkest, -0.05);
+    EXPECT_LT(darkest, -0.01);
 }
 
 TEST(IsrTaps, WeightsIntegrateAnInverseSquareExactly) {
