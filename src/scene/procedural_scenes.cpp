@@ -140,7 +140,7 @@ Scene shapes(ShapesLight light) {
               48, 24);
     scene.cameras = {camera_at({0, 2.6f, 5.6f}, {0, 0.35f, -0.1f}, 42.0f)};
 
-    // All three send about 3 W/m2 to the middle of the floor.
+    // All three send about 3 W/m2 to a plane that faces them in the middle of the floor.
     shared::Light lamp{};
     lamp.position = {1.2f, 3.2f, 2.0f};
     lamp.direction = glm::normalize(-lamp.position);

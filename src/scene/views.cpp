@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
-#include "scene/surface.h"
+#include "scene/lights.h"
 #include "shared/random.h"
+#include "shared/sampling.h"
 
 namespace luxel {
 namespace {
 
 constexpr int probe_columns = 16, probe_rows = 12;
 constexpr int tries_per_view = 4000;
+constexpr int area_light_samples = 64; // for emitters and for the environment
 
 // Uniform number for one dimension of one try.
 float draw(std::uint32_t seed, std::uint32_t attempt, std::uint32_t dimension, float least, float most) {
@@ -33,42 +36,119 @@ Camera random_camera(const Bounds& bounds, std::uint32_t seed, std::uint32_t att
     return camera;
 }
 
-struct Probe {
-    int rays = 0, hits = 0, backs = 0; // backs: of single-sided surfaces
-    std::vector<float> distances;      // of the hits
+struct Point {
+    glm::vec3 position, normal; // normal: geometric, unit, toward the viewer
 };
 
-void look(const Scene& scene, const RayCaster& rays, glm::vec3 origin, glm::vec3 direction, Probe& probe) {
-    ++probe.rays;
-    Hit hit;
-    if (!rays.intersect({origin, direction}, hit)) return;
-    ++probe.hits;
-    probe.distances.push_back(hit.t * glm::length(direction));
-    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-    const bool back = glm::dot(hit.geometric_normal, direction) > 0.0f;
-    if (back && !scene.materials[std::size_t(mesh.material)].double_sided) ++probe.backs;
+struct Probe {
+    int rays = 0, backs = 0, single_sided_backs = 0; // hits from behind
+    std::vector<Point> points;
+    std::vector<float> distances; // of the points
+};
+
+std::optional<Point> hit_point(const RayCaster& rays, const Ray& ray, Hit& hit) {
+    if (!rays.intersect(ray, hit)) return std::nullopt;
+    const glm::vec3 n = glm::normalize(hit.geometric_normal);
+    return Point{ray.origin + ray.direction * hit.t, glm::dot(n, ray.direction) < 0.0f ? n : -n};
 }
 
-// The distance that a share of the hits lies below.
-float quantile(std::vector<float>& distances, float share) {
-    const auto place = distances.begin() + std::ptrdiff_t(float(distances.size() - 1) * share);
-    std::nth_element(distances.begin(), place, distances.end());
-    return *place;
-}
-
-bool is_valid(const Scene& scene, const RayCaster& rays, const Camera& camera, float radius) {
-    Probe probe;
+Probe look(const RayCaster& rays, const Camera& camera) {
+    const Scene& scene = rays.scene();
     const CameraBasis basis = camera_basis(camera, probe_columns, probe_rows);
-    for (int y = 0; y < probe_rows; ++y)
-        for (int x = 0; x < probe_columns; ++x)
-            look(scene, rays, camera.position,
-                 pixel_direction(basis, probe_columns, probe_rows, {float(x) + 0.5f, float(y) + 0.5f}),
-                 probe);
-
-    // Open sky says nothing about light transport, and back faces are what the inside of a wall looks like.
-    if (probe.hits * 10 < probe.rays * 8 || probe.backs * 20 > probe.hits) return false;
-    return quantile(probe.distances, 0.5f) > 0.02f * radius;
+    Probe probe;
+    for (int i = 0; i < probe_columns * probe_rows; ++i) {
+        ++probe.rays;
+        const glm::vec2 pixel(float(i % probe_columns) + 0.5f, float(i / probe_columns) + 0.5f);
+        const glm::vec3 direction = pixel_direction(basis, probe_columns, probe_rows, pixel);
+        Hit hit;
+        const auto point = hit_point(rays, {camera.position, direction}, hit);
+        if (!point) continue;
+        probe.points.push_back(*point);
+        probe.distances.push_back(hit.t * glm::length(direction));
+        const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+        if (glm::dot(hit.geometric_normal, direction) <= 0.0f) continue;
+        ++probe.backs;
+        if (!scene.materials[std::size_t(mesh.material)].double_sided) ++probe.single_sided_backs;
+    }
+    return probe;
 }
+
+float median(std::vector<float>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Trial of views by what a grid of rays meets.
+class Judge {
+public:
+    Judge(const RayCaster& rays, std::uint32_t seed)
+        : rays_(rays), radius_(rays.scene().bounds().radius()), lights_(all_lights(rays.scene(), seed)) {}
+
+    bool accepts(const Camera& camera, std::uint32_t key) const {
+        Probe probe = look(rays_, camera);
+
+        // Open sky says nothing about light transport, and back faces are what the inside of a wall looks
+        // like; some of two-sided materials are curtains and leaves.
+        const int hits = int(probe.points.size());
+        if (hits * 10 < probe.rays * 8) return false;
+        if (probe.single_sided_backs * 20 > hits || probe.backs * 2 > hits) return false;
+        if (median(probe.distances) <= 0.02f * radius_) return false;
+
+        // One flat wall that fills the view: the mean of its normals is as long as each of them.
+        glm::vec3 mean(0.0f);
+        for (const Point& point : probe.points) mean += point.normal / float(hits);
+        return glm::length(mean) < 0.9f && is_lit(probe, key);
+    }
+
+private:
+    static std::vector<shared::Light> all_lights(const Scene& scene, std::uint32_t seed) {
+        std::vector<shared::Light> lights = scene.lights;
+        for (const auto& more : {emitter_sample_lights(scene, area_light_samples, seed),
+                                 environment_sample_lights(scene.environment, area_light_samples, seed)})
+            lights.insert(lights.end(), more.begin(), more.end());
+        return lights;
+    }
+
+    // Whether one light, picked in proportion to what it would send there unoccluded, reaches the point.
+    bool receives(const Point& point, std::uint32_t key) const {
+        float sum = 0.0f;
+        shared::LightSample picked{};
+        for (const shared::Light& light : lights_) {
+            const shared::LightSample s = shared::sample_light(light, point.position);
+            const float weight = luminance(s.irradiance) * std::max(0.0f, glm::dot(s.wi, point.normal));
+            sum += weight;
+            key = shared::pcg(key);
+            if (shared::uniform_float(key) * sum < weight) picked = s;
+        }
+        const float clear = 1e-4f * radius_;
+        return sum > 0.0f && !rays_.occluded({point.position + point.normal * clear, picked.wi, 0.0f,
+                                              picked.distance - 2.0f * clear});
+    }
+
+    // Cavities between the shells of a building look like corridors, but no light ever gets there, not even
+    // by one bounce. Full shade with light around the corner is wanted, so a few receiving paths are enough.
+    bool is_lit(const Probe& probe, std::uint32_t key) const {
+        if (lights_.empty()) return true;
+        int paths = 0, receiving = 0;
+        for (const Point& point : probe.points) {
+            const std::uint32_t a = shared::hash3(key, std::uint32_t(++paths), 1), b = shared::pcg(a),
+                                c = shared::pcg(b);
+            const glm::vec3 local =
+                shared::sample_cosine_hemisphere({shared::uniform_float(a), shared::uniform_float(b)});
+            const Ray bounce{point.position + point.normal * (1e-4f * radius_),
+                             shared::frame_around(point.normal) * local};
+            Hit hit;
+            const auto second = hit_point(rays_, bounce, hit);
+            receiving += receives(point, c) || (second && receives(*second, shared::pcg(c)));
+        }
+        return receiving * 100 >= paths;
+    }
+
+    const RayCaster& rays_;
+    float radius_;
+    std::vector<shared::Light> lights_;
+};
 
 } // namespace
 
@@ -95,7 +175,9 @@ std::vector<Camera> default_cameras(const Scene& scene) {
 
 std::vector<Camera> draw_views(const Scene& scene, const RayCaster& rays, int count, std::uint32_t seed) {
     LUXEL_ASSERT(count >= 0, "count={}", count);
+    LUXEL_ASSERT(&scene == &rays.scene(), "the rays are of scene {}, not {}", rays.scene().name, scene.name);
     const Bounds bounds = scene.bounds();
+    const Judge judge(rays, seed);
     std::vector<Camera> views;
     for (std::uint32_t attempt = 0; int(views.size()) < count; ++attempt) {
         if (attempt >= std::uint32_t(tries_per_view) * std::uint32_t(count))
@@ -103,7 +185,7 @@ std::vector<Camera> draw_views(const Scene& scene, const RayCaster& rays, int co
                  "{}: views: only {} of {} views from inside were found; give cameras in the scene instead",
                  scene.name, views.size(), count);
         Camera camera = random_camera(bounds, seed, attempt);
-        if (!is_valid(scene, rays, camera, bounds.radius())) continue;
+        if (!judge.accepts(camera, shared::hash2(seed, attempt))) continue;
         camera.name = fmt::format("seed {} view {}", seed, views.size() + 1);
         camera.near = 5e-4f * bounds.radius();
         camera.far = 4.0f * bounds.radius();

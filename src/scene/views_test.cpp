@@ -72,6 +72,46 @@ TEST(Views, NoViewInsideASolid) {
     }
 }
 
+// A room around the lit room: the gap between the shells is a place where no light arrives.
+TEST(Views, NoViewInADarkCavity) {
+    Scene scene = furnace(0.5f);
+    Scene shell = furnace(0.5f, 0.0f);
+    shell.materials[0].double_sided = true;
+    scene.materials[0].double_sided = true;
+    scene.materials[0].emission = glm::vec3(0.0f);
+    shell.meshes[0].material = 0;
+    shell.instances[0].mesh = 1;
+    shell.instances[0].transform = glm::mat4(glm::mat3(3.0f));
+    scene.meshes.push_back(shell.meshes[0]);
+    scene.instances.push_back(shell.instances[0]);
+    shared::Light lamp{};
+    lamp.type = shared::LIGHT_POINT;
+    lamp.intensity = glm::vec3(1.0f);
+    scene.lights = {lamp};
+
+    const RayCaster rays(scene);
+    for (const Camera& view : draw_views(scene, rays, 5, 3))
+        EXPECT_TRUE(glm::all(glm::lessThan(glm::abs(view.position), glm::vec3(1.0f))));
+}
+
+TEST(Views, NoViewOfOneFlatWall) {
+    Scene scene = cornell();
+    const RayCaster rays(scene);
+    for (const Camera& view : draw_views(scene, rays, 8, 21)) {
+        glm::vec3 mean(0.0f);
+        int hits = 0;
+        const CameraBasis basis = camera_basis(view, 32, 24);
+        for (int i = 0; i < 32 * 24; ++i) {
+            Hit hit;
+            const glm::vec3 direction =
+                pixel_direction(basis, 32, 24, {float(i % 32) + 0.5f, float(i / 32) + 0.5f});
+            if (!rays.intersect({view.position, direction}, hit)) continue;
+            mean += glm::normalize(hit.geometric_normal), ++hits;
+        }
+        EXPECT_LT(glm::length(mean) / float(hits), 0.93f); // 0.9 on the probe's coarser grid
+    }
+}
+
 TEST(Views, SameSeedSameViews) {
     const Scene scene = cornell();
     const RayCaster rays(scene);
