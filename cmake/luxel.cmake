@@ -21,6 +21,7 @@ function(luxel_test_executable target)
   target_compile_definitions(${target} PRIVATE LUXEL_DATA_DIR="${LUXEL_DATA_DIR}"
       LUXEL_BINARY_DIR="${CMAKE_BINARY_DIR}" LUXEL_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE ${arg_LINK})
+  add_dependencies(${target} luxel-decode) # images are decoded in that process
 endfunction()
 
 # luxel_library(name [INTERFACE] [DEPENDS luxel libraries] [LINK others]): src/name/**.cpp, with
@@ -64,6 +65,9 @@ function(luxel_application name)
   endif()
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} ${arg_LINK})
+  if(NOT name STREQUAL luxel-decode)
+    add_dependencies(${name} luxel-decode)
+  endif()
 endfunction()
 
 # luxel_shaders(folder ...): compiles src/folder/**.{comp,vert,frag} to SPIR-V and embeds all of them in luxel_gpu,

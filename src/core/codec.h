@@ -14,6 +14,7 @@ namespace luxel::codec {
 inline constexpr std::uint64_t max_decoded_bytes = std::uint64_t(1) << 30;
 
 enum class Format { exr, radiance, png, jpeg, unknown };
+// What the first bytes say.
 Format format_of(std::span<const std::uint8_t> bytes);
 
 ExrFile decode_exr(std::span<const std::uint8_t> bytes);

@@ -72,14 +72,6 @@ void check_tiles(Reader reader) {
 
 } // namespace
 
-void check_size(std::uint64_t width, std::uint64_t height, std::uint64_t bytes_per_pixel) {
-    if (width < 1 || height < 1 || width > max_image_side || height > max_image_side)
-        fail(Fault::bad_input, "{}x{} pixels; 1 to {} a side are supported", width, height, max_image_side);
-    if (width * height * bytes_per_pixel > max_decoded_bytes)
-        fail(Fault::bad_input, "{}x{} pixels of {} bytes are more than {} bytes", width, height,
-             bytes_per_pixel, max_decoded_bytes);
-}
-
 void check_exr_header(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     if (reader.word() != 20000630) fail(Fault::bad_input, "not an EXR file");

@@ -11,25 +11,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/descriptor.h"
 #include "core/error.h"
 
 namespace luxel {
 namespace {
-
-struct Descriptor {
-    int value = -1;
-    explicit Descriptor(int descriptor) : value(descriptor) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    Descriptor(Descriptor&& other) noexcept : value(std::exchange(other.value, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(value, other.value);
-        return *this;
-    }
-    ~Descriptor() {
-        if (value >= 0) close(value);
-    }
-};
 
 // O_NONBLOCK: opening a FIFO for reading returns at once instead of waiting for a writer.
 constexpr int read_flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;

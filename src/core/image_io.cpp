@@ -7,27 +7,11 @@
 #include <string_view>
 
 #include "core/codec.h"
+#include "core/decode_process.h"
 #include "core/error.h"
 #include "core/file.h"
 
 namespace luxel {
-namespace codec {
-
-Format format_of(std::span<const std::uint8_t> bytes) {
-    const auto starts = [&](std::string_view magic) {
-        return bytes.size() >= magic.size() &&
-               std::equal(magic.begin(), magic.end(), bytes.begin(),
-                          [](char a, std::uint8_t b) { return std::uint8_t(a) == b; });
-    };
-    if (starts("\x76\x2f\x31\x01")) return Format::exr;
-    if (starts("\x89PNG\r\n\x1a\n")) return Format::png;
-    if (starts("\xff\xd8\xff")) return Format::jpeg;
-    if (starts("#?")) return Format::radiance;
-    return Format::unknown;
-}
-
-} // namespace codec
-
 namespace {
 
 using codec::Format;
@@ -39,6 +23,12 @@ template <class Decode> auto named(const std::string& name, Decode&& decode) {
     } catch (const Error& error) {
         fail(error.fault(), "{}: {}", name, error.what());
     }
+}
+
+// A decoder that an image has taken over might answer with the other kind.
+template <class Kind> Kind expect(codec::Decoded decoded) {
+    if (Kind* kind = std::get_if<Kind>(&decoded)) return std::move(*kind);
+    fail(Fault::bad_input, "the decoder answered nonsense");
 }
 
 Image three_channels(const Image& image) {
@@ -83,7 +73,7 @@ Image decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
     const Format format = codec::format_of(bytes);
     if (format == Format::radiance) return named(name, [&] { return codec::decode_radiance(bytes); });
     if (format != Format::exr) fail(Fault::bad_input, "{}: neither OpenEXR nor Radiance", name);
-    return main_layer(named(name, [&] { return codec::decode_exr(bytes); }), name);
+    return main_layer(named(name, [&] { return expect<ExrFile>(codec::decode_apart(bytes)); }), name);
 }
 
 Image read_image(const std::filesystem::path& file) {
@@ -99,7 +89,7 @@ Image read_image(const std::filesystem::path& file) {
 ExrFile read_exr(const std::filesystem::path& file) {
     const std::vector<std::uint8_t> bytes = read_file(file);
     if (codec::format_of(bytes) != Format::exr) fail(Fault::bad_input, "{}: not OpenEXR", file.string());
-    return named(file.string(), [&] { return codec::decode_exr(bytes); });
+    return named(file.string(), [&] { return expect<ExrFile>(codec::decode_apart(bytes)); });
 }
 
 } // namespace luxel
