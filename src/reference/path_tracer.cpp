@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t all_lights_limit = 4; // up to so many punctual lights, each is sampled at each vertex
 constexpr int roulette_vertex = 4;
+constexpr float roulette_share = 0.25f;
 
 float power_heuristic(float pdf, float other) {
     float a = pdf * pdf, b = other * other;
@@ -194,7 +195,8 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     // Russian roulette: survive with the share of light that is left, so that the survivors' throughput stays
     // near 1.
     if (path.vertex >= roulette_vertex) {
-        float survival = std::min(1.0f, largest(wanted_.specular ? path.beta : path.diffuse));
+        float survival =
+            std::min(1.0f, 1.0f / roulette_share * largest(wanted_.specular ? path.beta : path.diffuse));
         if (path.random.next() >= survival) return false;
         path.beta /= survival;
         path.diffuse /= survival;
