@@ -27,12 +27,12 @@ TEST(RealScenes, CornellBoxMatchesTungsten) {
     LUXEL_DATA_OR_SKIP(image_file, "cornell_box/TungstenRender.exr");
     Scene scene = load_scene(scene_file.string());
     RayCaster rays(scene);
-    Image published = reduced(read_image(image_file), 8);
-    Estimate e = render_reference(rays, testing::request_for({"full"}, scene.cameras[0], 128, 256));
+    Image published = reduced(read_image(image_file), 16);
+    Estimate e = render_reference(rays, testing::request_for({"full"}, scene.cameras[0], 64, 384));
     for (int c = 0; c < 3; ++c) {
         std::vector<double> ratios;
-        for (int y = 0; y < 128; ++y)
-            for (int x = 0; x < 128; ++x)
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x)
                 if (published.at(x, y)[c] > 0.0f)
                     ratios.push_back(double(e.mean["full"].at(x, y)[c] / published.at(x, y)[c]));
         std::nth_element(ratios.begin(), ratios.begin() + std::ptrdiff_t(ratios.size() / 2), ratios.end());
