@@ -127,7 +127,6 @@ void Commands::start() {
 
 void Commands::add_barrier(std::size_t resource, std::size_t index, const Transition& t, Barriers& barriers,
                            std::vector<Event>& events) {
-    if (gpu_.faults.skip_barriers && t.old_layout == t.new_layout) return;
     const Resource& r = resources_[resource];
     const StageAccess from = stage_access(t.from), to = stage_access(t.to);
     const VkAccessFlags2 flushed = write_access(t.from);
@@ -175,7 +174,8 @@ void Commands::require(Sub& sub, std::size_t resource, std::size_t index, Barrie
         sub.state = {sub.first_layout, sub.first_uses, sub.first_uses, sub.first_uses};
     } else {
         sub.initial = false;
-        if (const auto t = advance(sub.state, sub.pending, sub.pending_layout))
+        const auto t = advance(sub.state, sub.pending, sub.pending_layout);
+        if (t && !(gpu_.faults.skip_barriers && t->old_layout == t->new_layout))
             add_barrier(resource, index, *t, barriers, events_);
     }
 }
@@ -274,7 +274,8 @@ void Commands::enter_global_state(std::vector<Event>& events) {
             Sub& sub = r.subs[s];
             if (!sub.seen) continue;
             TrackState& global = r.image ? r.image->storage.state[s] : r.buffer_data->storage.state;
-            if (const auto t = advance(global, sub.first_uses, sub.first_layout))
+            const auto t = advance(global, sub.first_uses, sub.first_layout);
+            if (t && !(gpu_.faults.skip_entry && t->old_layout == t->new_layout))
                 add_barrier(i, s, *t, barriers, events);
             if (!sub.initial) global = sub.state;
         }

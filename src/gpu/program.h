@@ -64,7 +64,8 @@ private:
 struct GpuData {
     // Test only: what the recorder is told to get wrong, to see that it is noticed.
     struct Faults {
-        bool skip_barriers = false; // emit layout transitions only
+        bool skip_barriers = false; // emit only layout transitions between the commands of one submit
+        bool skip_entry = false;    // and between submits
         bool keep_hazards = false;  // the verifier's findings go into hazards instead of an assertion
         bool skip_wait = false;     // Recorder::submit returns at once
     };

@@ -75,9 +75,7 @@ std::string verify_barrier(VerifierState& state, const VerifierBarrier& b) {
 
 std::string verify_access(VerifierState& state, const VerifierAccess& access, std::string_view command) {
     std::string problem;
-    const auto report = [&](std::string text) {
-        if (problem.empty()) problem = std::move(text);
-    };
+    const auto report = [&](const std::string& text) { problem += (problem.empty() ? "" : "; ") + text; };
     if (access.layout != state.layout)
         report(fmt::format("used in layout {} but is in layout {}", int(access.layout), int(state.layout)));
     if (access.reads_contents && !state.written) report("read before anything was written to it");
