@@ -13,7 +13,11 @@ struct Global {
     int threads = 0; // of the CPU; 0 = all
 };
 
+void add_evaluate(CLI::App& app, const Global& global);
+void add_render(CLI::App& app, const Global& global);
 void add_reference(CLI::App& app, const Global& global);
+void add_diff(CLI::App& app, const Global& global);
+void add_techniques(CLI::App& app, const Global& global);
 void add_info(CLI::App& app, const Global& global);
 void add_devices(CLI::App& app, const Global& global);
 

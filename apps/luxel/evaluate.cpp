@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// luxel evaluate: truth and techniques for every view, as table, results.json and report.html.
+#include <cstdio>
+
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "experiments/components.h"
+#include "experiments/evaluation.h"
+#include "experiments/output_folder.h"
+#include "experiments/result_files.h"
+#include "experiments/results_json.h"
+#include "experiments/table.h"
+#include "options.h"
+
+namespace luxel::app {
+
+namespace {
+
+struct Options {
+    EvaluationSettings settings;
+    std::vector<std::string> use;
+    std::string component = "direct+diffuse1", size = "640x480", frame, reference_lights = "same", output,
+                cache;
+    bool no_cache = false, verbose = false;
+};
+
+EvaluationSettings settings_of(const Options& o, const Global& global) {
+    EvaluationSettings s = o.settings;
+    const Size size = parse_size(o.size);
+    s.width = size.width, s.height = size.height;
+    s.components = parse_components(o.component);
+    set_parameters(s.frame, "--frame", parse_values("--frame", o.frame));
+    s.views.seed = std::uint32_t(s.seed);
+    s.true_environment = o.reference_lights == "true";
+    if (!o.no_cache) s.cache = o.cache.empty() ? default_cache_folder() : std::filesystem::path(o.cache);
+    s.quiet = global.quiet;
+    return s;
+}
+
+void run(const Options& o, const Global& global) {
+    const EvaluationSettings settings = settings_of(o, global);
+    std::vector<TechniqueRow> rows = parse_uses(o.use);
+    OutputFolder output(o.output);
+
+    Scene scene = load(settings.scene, global);
+    ResultFiles files(output.path(), rows);
+    EvaluationResult result = evaluate(scene, settings, std::move(rows),
+                                       [&](const ViewPictures& pictures) { files.add(pictures); });
+    print_warnings(result.warnings);
+    result.warnings.insert(result.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
+    files.finish(result);
+    output.keep();
+
+    if (global.json) return print_json(to_json(result));
+    fmt::print("{}\nReport: {}\n", format_result(result, o.verbose),
+               (output.path() / "report.html").string());
+}
+
+void add_measurement_options(CLI::App& command, Options& o) {
+    command
+        .add_option("--component", o.component,
+                    "Light paths of the truth, may be a sum: " +
+                        fmt::format("{}", fmt::join(component_names, ", ")))
+        ->capture_default_str();
+    command.add_option("--spp", o.settings.spp, "Samples a pixel of the truth")
+        ->check(CLI::Range(2, 1 << 20))
+        ->capture_default_str();
+    command.add_option("--seed", o.settings.seed, "Of drawn views and of the truth")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        .add_option(
+            "--reference-lights", o.reference_lights,
+            "With environment=lights: the truth has the same directional lights, or the true environment")
+        ->check(CLI::IsMember({"same", "true"}))
+        ->capture_default_str();
+    command.add_option("--frames", o.settings.timed_frames, "Timed frames, of which the median counts")
+        ->check(CLI::Range(5, 10000))
+        ->capture_default_str();
+    command.add_option("--cache", o.cache,
+                       "Folder of stored truths; default: $XDG_CACHE_HOME/luxel or ~/.cache/luxel");
+    command.add_flag("--no-cache", o.no_cache, "Neither read nor store truths");
+}
+
+} // namespace
+
+void add_evaluate(CLI::App& app, const Global& global) {
+    auto o = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("evaluate", "Measure techniques against the truth: error, time, memory");
+    command->add_option("scene", o->settings.scene, "builtin:NAME, .gltf, .glb, .obj or .toml")->required();
+    command->add_option("-o,--output", o->output, "Folder for report.html, results.json and images/")
+        ->required();
+    command->add_option("--use", o->use, "T[:key=value,...], a row; slots joined by +; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--views", o->settings.views.drawn,
+                     "Draw this many views by seed; default: the scene's cameras")
+        ->check(CLI::Range(1, 10000));
+    command
+        ->add_option("--view", o->settings.views.names, "Only this view, by name or number; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
+    command->add_option("--device", o->settings.device,
+                        "GPU by number or part of its name; see luxel devices");
+    command->add_flag("--verbose", o->verbose, "Print every view and the time by pass");
+    add_measurement_options(*command, *o);
+    command->footer(
+        "Direct light alone is always the first row. The truth is path traced at pixel centers, where the\n"
+        "frame samples, and stored by its content for the next run. Gains smaller than the truth's own\n"
+        "noise are marked ~.\n"
+        "Examples:\n"
+        "  luxel evaluate builtin:cornell --use isr -o out\n"
+        "  luxel evaluate sponza.gltf --use isr --use isr:mode=thesis --views 8 --size 1024x768 -o out\n"
+        "  luxel evaluate room.toml --use isr --frame environment=lights,environment_lights=32 -o out");
+    command->callback([o, &global] { run(*o, global); });
+}
+
+} // namespace luxel::app

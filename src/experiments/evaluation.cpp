@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/evaluation.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.h"
+#include "experiments/timing.h"
+#include "scene/lights.h"
+#include "techniques/frame/renderer.h"
+
+namespace luxel {
+
+namespace {
+
+constexpr int warm_up_frames = 2; // pipelines compile at their first use
+
+ReferenceRequest reference_request(const EvaluationSettings& settings, const Camera& camera) {
+    // The usual components always come along, so that runs that ask for different sums share one rendering.
+    std::set<std::string> components = {"direct", "diffuse1"};
+    components.insert(settings.components.begin(), settings.components.end());
+
+    ReferenceRequest request;
+    request.components.assign(components.begin(), components.end());
+    request.width = settings.width, request.height = settings.height;
+    request.camera = camera;
+    request.settings.spp = settings.spp;
+    request.settings.seed = settings.seed;
+    request.settings.pixel_center = true; // where the rasterizer samples
+    request.quiet = settings.quiet;
+    return request;
+}
+
+// The last frame of a row, its time the median of several.
+RenderResult render_row(Renderer& renderer, TechniqueRow& row, const EvaluationSettings& settings,
+                        const Camera& camera, FrameTime& time) {
+    RenderRequest request;
+    request.camera = camera;
+    request.width = settings.width, request.height = settings.height;
+    for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
+
+    for (int i = 0; i < warm_up_frames; ++i) renderer.render(request);
+    std::vector<std::vector<gpu::PassTime>> frames;
+    RenderResult result;
+    for (int i = 0; i < settings.timed_frames; ++i) {
+        result = renderer.render(request);
+        frames.push_back(result.passes);
+    }
+    time = median_time(frames);
+    return result;
+}
+
+RowResult row_result(const RenderResult& frame, const FrameTime& time) {
+    RowResult row;
+    row.ms = time.ms;
+    row.passes = time.passes;
+    row.memory_bytes = frame.memory_bytes;
+    return row;
+}
+
+ViewResult evaluate_view(Renderer& renderer, const RayCaster& rays, const Camera& camera,
+                         const EvaluationSettings& settings, std::vector<TechniqueRow>& rows,
+                         std::vector<std::string>& warnings, const PictureSink& sink) {
+    Truth truth = find_truth(rays, reference_request(settings, camera), settings.cache, warnings);
+    ViewResult view;
+    view.camera = camera;
+    view.reference_spp = truth.spp;
+    view.reference_seconds = truth.seconds;
+    view.reference_cached = truth.cached;
+
+    // Every row sees the same surfaces, so that the baseline's mask is everyone's.
+    std::vector<Image> pictures;
+    Image mask;
+    for (TechniqueRow& row : rows) {
+        FrameTime time;
+        RenderResult frame = render_row(renderer, row, settings, camera, time);
+        view.rows.push_back(row_result(frame, time));
+        pictures.push_back(std::move(frame.radiance));
+        if (mask.empty()) mask = std::move(frame.mask);
+    }
+
+    const Target target = make_target(truth, settings.components, mask);
+    view.exposure = target.exposure;
+    view.noise = target.noise;
+    std::vector<Candidate> candidates;
+    for (Image& picture : pictures) candidates.push_back(make_candidate(target, std::move(picture)));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        view.rows[i].figures = measure(target, candidates[0], candidates[i]);
+        view.rows[i].claimed = is_claimed(view.rows[0].figures, view.rows[i].figures, view.noise);
+    }
+    sink({view, target, candidates});
+    return view;
+}
+
+RowResult mean_row(const EvaluationResult& result, std::size_t index) {
+    RowResult mean;
+    std::vector<Figures> figures;
+    std::vector<FrameTime> times;
+    for (const ViewResult& view : result.views) {
+        const RowResult& row = view.rows[index];
+        figures.push_back(row.figures);
+        times.push_back({row.ms, row.passes});
+        mean.memory_bytes += row.memory_bytes / result.views.size();
+    }
+    const FrameTime time = mean_time(times);
+    mean.figures = mean_of(figures);
+    mean.ms = time.ms;
+    mean.passes = time.passes;
+    return mean;
+}
+
+} // namespace
+
+Scene reference_scene(const Scene& scene, const FrameOptions& frame, bool true_environment) {
+    Scene lit = scene;
+    if (frame.environment == EnvironmentMode::none) lit.environment = {};
+    if (frame.environment == EnvironmentMode::lights && !true_environment && !lit.environment.empty())
+        return with_environment_as_lights(std::move(lit), frame.environment_lights,
+                                          std::uint32_t(frame.seed));
+    return lit;
+}
+
+EvaluationResult evaluate(const Scene& scene, const EvaluationSettings& settings,
+                          std::vector<TechniqueRow> rows, const PictureSink& sink) {
+    LUXEL_ASSERT(!rows.empty() && rows[0].techniques.empty(), "rows={}", rows.size());
+    // The device first: a machine without one should say so before minutes of path tracing.
+    gpu::Gpu gpu({.device = settings.device});
+    Renderer renderer(gpu, scene, settings.frame);
+    const Scene truth_scene = reference_scene(scene, settings.frame, settings.true_environment);
+    const RayCaster rays(truth_scene);
+    const std::vector<Camera> cameras = choose_views(rays, settings.views);
+
+    EvaluationResult result;
+    result.settings = settings;
+    result.device = gpu.device();
+    for (const TechniqueRow& row : rows) result.rows.push_back({row.label, row.name, row.parameters});
+    for (const Camera& camera : cameras)
+        result.views.push_back(evaluate_view(renderer, rays, camera, settings, rows, result.warnings, sink));
+
+    for (const ViewResult& view : result.views) result.mean_noise += view.noise / double(cameras.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        result.mean.push_back(mean_row(result, i));
+        result.mean[i].claimed =
+            is_claimed(result.mean[0].figures, result.mean[i].figures, result.mean_noise);
+    }
+    return result;
+}
+
+} // namespace luxel

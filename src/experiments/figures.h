@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Every figure of one image against the truth, by the conventions of the evaluation: display-referred metrics
+// share one exposure per view, background pixels are left out, RMSE and relMSE are on linear radiance.
+#pragma once
+#include <vector>
+
+#include "core/image.h"
+#include "experiments/reference_cache.h"
+
+namespace luxel {
+
+struct Figures {
+    double delta = 0;    // mean absolute error of display values
+    double gain = 0;     // percent of the baseline's delta that is gone
+    double rho = 0;      // correlation of luminance
+    double improved = 0; // share of pixels closer than the baseline's, in [0, 1]
+    double tied = 0;     // share of pixels as close as the baseline's
+    double quality = 0;  // 1 closer than the baseline, -1 farther, 0 the same; a mean over views lies between
+    double rmse = 0, relmse = 0;
+    double psnr = 0; // dB; infinity for equal images
+    double ssim = 0, flip = 0;
+};
+
+// The truth of one view, ready to be held against.
+struct Target {
+    Image radiance, shown; // linear; display-referred
+    Image mask;            // 1 where pixels count
+    float exposure = 1;
+    double noise = 0; // delta between the two sample halves, halved
+};
+
+// mask: 1 where both the truth and the frame see a surface.
+Target make_target(const Truth& truth, const std::vector<std::string>& components, const Image& frame_mask);
+
+// An image as radiance and under the target's exposure.
+struct Candidate {
+    Image radiance, shown;
+};
+Candidate make_candidate(const Target& target, Image radiance);
+
+Figures measure(const Target& target, const Candidate& baseline, const Candidate& candidate);
+
+// The reference's own noise hides a difference of delta that is not larger than it.
+inline bool is_claimed(const Figures& baseline, const Figures& figures, double noise) {
+    return baseline.delta - figures.delta > noise;
+}
+
+// The image with its masked-out pixels taken from `background`.
+Image fill_outside(Image image, const Image& background, const Image& mask);
+
+Figures mean_of(const std::vector<Figures>& figures);
+
+} // namespace luxel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/table.h"
+
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
+namespace luxel {
+
+namespace {
+
+constexpr double mebibyte = 1024.0 * 1024.0;
+
+std::string rows_table(const EvaluationResult& result, const std::vector<RowResult>& rows) {
+    std::vector<std::vector<std::string>> cells = {
+        {"technique", "delta", "gain %", "rho", "improved %", "RMSE", "FLIP", "ms", "MiB"}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Figures& f = rows[i].figures;
+        const bool hidden = i > 0 && f.gain > 0 && !rows[i].claimed;
+        cells.push_back({result.rows[i].label, fmt::format("{:.5f}", f.delta),
+                         i == 0 ? "-" : fmt::format("{}{:.2f}", hidden ? "~" : "", f.gain),
+                         fmt::format("{:.4f}", f.rho), i == 0 ? "-" : fmt::format("{:.2f}", 100 * f.improved),
+                         fmt::format("{:.5f}", f.rmse), fmt::format("{:.4f}", f.flip),
+                         fmt::format("{:.2f}", rows[i].ms),
+                         fmt::format("{:.1f}", double(rows[i].memory_bytes) / mebibyte)});
+    }
+    return format_table(cells);
+}
+
+bool any_hidden(const std::vector<RowResult>& rows) {
+    return std::any_of(rows.begin() + 1, rows.end(),
+                       [](const RowResult& r) { return r.figures.gain > 0 && !r.claimed; });
+}
+
+std::string passes_table(const EvaluationResult& result) {
+    std::string out;
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        out += fmt::format("\nTime by pass, {} (ms):\n", result.rows[i].label);
+        for (const gpu::PassTime& pass : result.mean[i].passes)
+            out += fmt::format("  {:8.3f}  {}\n", pass.ms, pass.name);
+    }
+    return out;
+}
+
+} // namespace
+
+std::string format_table(const std::vector<std::vector<std::string>>& cells) {
+    std::vector<std::size_t> widths(cells.empty() ? 0 : cells[0].size(), 0);
+    for (const auto& row : cells)
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    std::string out;
+    for (const auto& row : cells) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c)
+            line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c])
+                           : fmt::format("  {:>{}}", row[c], widths[c]);
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return out;
+}
+
+std::string format_result(const EvaluationResult& result, bool verbose) {
+    std::string out;
+    bool hidden = any_hidden(result.mean);
+    if (verbose)
+        for (const ViewResult& view : result.views) {
+            out += fmt::format("{} (reference noise {:.5f})\n{}\n", view.camera.name, view.noise,
+                               rows_table(result, view.rows));
+            hidden |= any_hidden(view.rows);
+        }
+    out += fmt::format("Mean over {} view{} against {} ({} spp, reference noise {:.5f} of delta)\n",
+                       result.views.size(), result.views.size() == 1 ? "" : "s",
+                       fmt::join(result.settings.components, " + "), result.settings.spp, result.mean_noise);
+    out += rows_table(result, result.mean);
+    if (hidden) out += "~ not claimed: the gain is smaller than the reference's own noise\n";
+    if (verbose) out += passes_table(result);
+    return out;
+}
+
+} // namespace luxel

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/technique_rows.h"
+
+#include <cctype>
+
+#include "core/error.h"
+
+namespace luxel {
+
+namespace {
+
+// "+" joins only where a name begins: "a:x=1e+5" is one technique.
+std::vector<std::string_view> split_techniques(std::string_view text) {
+    std::vector<std::string_view> parts;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i)
+        if (text[i] == '+' && std::isalpha(static_cast<unsigned char>(text[i + 1]))) {
+            parts.push_back(text.substr(begin, i - begin));
+            begin = i + 1;
+        }
+    parts.push_back(text.substr(begin));
+    return parts;
+}
+
+} // namespace
+
+TechniqueRow baseline_row() {
+    TechniqueRow row;
+    row.label = row.name = baseline_name;
+    return row;
+}
+
+TechniqueRow parse_use(std::string_view text) {
+    TechniqueRow row;
+    row.label = text;
+    const std::vector<std::string_view> parts = split_techniques(text);
+    for (std::string_view part : parts) {
+        const Specification specification = parse_specification(part);
+        std::unique_ptr<Technique> technique = make_technique(specification);
+
+        for (const auto& other : row.techniques)
+            if (other->slot() == technique->slot())
+                fail(Fault::usage, "--use {}: two techniques in the slot '{}'", text,
+                     slot_name(technique->slot()));
+        const std::string prefix = parts.size() > 1 ? specification.name + "." : "";
+        for (ParameterInfo& p : parameters_of(*technique)) {
+            p.name.insert(0, prefix);
+            row.parameters.push_back(std::move(p));
+        }
+        row.name += (row.name.empty() ? "" : "+") + specification.name;
+        row.techniques.push_back(std::move(technique));
+    }
+    return row;
+}
+
+std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts) {
+    std::vector<TechniqueRow> rows;
+    rows.push_back(baseline_row());
+    for (const std::string& text : texts) {
+        for (const TechniqueRow& row : rows)
+            if (row.label == text) fail(Fault::usage, "--use {}: this row is there already", text);
+        rows.push_back(parse_use(text));
+    }
+    return rows;
+}
+
+} // namespace luxel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Frame times that a machine's hiccups do not move.
+#pragma once
+#include <vector>
+
+#include "gpu/recorder.h"
+
+namespace luxel {
+
+struct FrameTime {
+    double ms = 0;                     // median over frames of the sum of the passes
+    std::vector<gpu::PassTime> passes; // median of each pass; their sum need not be ms
+};
+
+// Frames have the same passes in the same order.
+FrameTime median_time(const std::vector<std::vector<gpu::PassTime>>& frames);
+
+// Mean of each pass over views; a pass that a view lacks counts as 0 there.
+FrameTime mean_time(const std::vector<FrameTime>& times);
+
+double median(std::vector<double> values);
+
+} // namespace luxel

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The command line as users meet it: bad input of every kind ends in one sentence, the right exit code and no
+// output.
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/luxel_process.h"
+
+namespace luxel::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+// One triangle, everything inline; tests damage a copy.
+Json triangle() {
+    return Json::parse(R"({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 1, 0]}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36,
+            "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]
+    })");
+}
+
+struct BadScene {
+    std::string name, file, content;
+};
+void PrintTo(const BadScene& scene, std::ostream* stream) { *stream << scene.name; }
+
+std::string damaged(const std::function<void(Json&)>& damage) {
+    Json json = triangle();
+    damage(json);
+    return json.dump();
+}
+
+std::vector<BadScene> bad_scenes() {
+    // 0x7fc00000 is a NaN; the first position's x.
+    const std::string nan_buffer =
+        "data:application/octet-stream;base64,AADAfwAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    return {
+        {"empty", "empty.gltf", ""},
+        {"empty_binary", "empty.glb", ""},
+        {"truncated_binary", "cut.glb", std::string("glTF\2\0\0\0\0\1\0\0\x40\0\0\0JSON{\"asset\"", 31)},
+        {"nested_brackets", "deep.gltf", std::string(1 << 20, '[')},
+        {"accessor_out_of_range", "accessor.gltf",
+         damaged([](Json& j) { j["accessors"][0]["count"] = 1 << 30; })},
+        {"accessor_missing", "missing.gltf",
+         damaged([](Json& j) { j["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 7; })},
+        {"cyclic_nodes", "cycle.gltf", damaged([](Json& j) {
+             j["nodes"] = Json::parse(R"([{"mesh": 0, "children": [1]}, {"children": [0]}])");
+         })},
+        {"escaping_uri", "escape.gltf", damaged([](Json& j) { j["buffers"][0]["uri"] = "../secret.bin"; })},
+        {"nan_vertices", "nan.gltf", damaged([&](Json& j) { j["buffers"][0]["uri"] = nan_buffer; })},
+        {"zero_triangles", "none.gltf", damaged([](Json& j) { j["nodes"][0].erase("mesh"); })},
+    };
+}
+
+void expect_refused(const ProcessResult& result, int code) {
+    EXPECT_EQ(result.code, code) << result.error;
+    EXPECT_EQ(result.error_lines(), 1u) << result.error;
+    EXPECT_TRUE(result.error.starts_with("luxel: ")) << result.error;
+    EXPECT_EQ(result.out, "");
+}
+
+class BadSceneTest : public ::testing::TestWithParam<BadScene> {};
+
+TEST_P(BadSceneTest, EndsInOneSentenceAndNoOutput) {
+    const TemporaryFolder folder, secret;
+    const std::string file = (folder / GetParam().file).string();
+    spill(file, GetParam().content);
+    expect_refused(run_luxel({"info", file}), 4);
+
+    const TemporaryFolder out;
+    for (const std::vector<std::string>& command : {
+             std::vector<std::string>{"evaluate", file, "-o", (out / "result").string()},
+             {"render", file, "-o", (out / "picture.png").string()},
+             {"reference", file, "-o", (out / "truth.exr").string()},
+         }) {
+        const ProcessResult result = run_luxel(command);
+        expect_refused(result, 4);
+        EXPECT_NE(result.error.find(GetParam().file), std::string::npos) << result.error;
+        EXPECT_TRUE(out.empty()) << command[0];
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, BadSceneTest, ::testing::ValuesIn(bad_scenes()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(CommandLine, MissingSceneIsUnreadable) { expect_refused(run_luxel({"info", "/nowhere/scene.gltf"}), 6); }
+
+TEST(CommandLine, MissingTextureIsACountedWarningAndAnErrorWhenStrict) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "textured.gltf").string();
+    spill(file, damaged([](Json& j) {
+              j["images"] = Json::parse(R"([{"uri": "gone.png"}])");
+              j["textures"] = Json::parse(R"([{"source": 0}])");
+              j["materials"] =
+                  Json::parse(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}])");
+              j["meshes"][0]["primitives"][0]["material"] = 0;
+          }));
+    const ProcessResult result = run_luxel({"info", file});
+    EXPECT_EQ(result.code, 0) << result.error;
+    EXPECT_NE(result.error.find("luxel: warning: "), std::string::npos) << result.error;
+    EXPECT_NE(result.error.find("gone.png"), std::string::npos) << result.error;
+    expect_refused(run_luxel({"info", file, "--strict"}), 4);
+}
+
+TEST(CommandLine, WrongUsageIsCodeTwo) {
+    const TemporaryFolder out;
+    const std::string folder = (out / "result").string(), picture = (out / "p.png").string();
+    const std::vector<std::vector<std::string>> commands = {
+        {},
+        {"unknown"},
+        {"evaluate"},
+        {"evaluate", "builtin:cornell", "--size", "0x0", "-o", folder},
+        {"evaluate", "builtin:cornell", "--size", "640", "-o", folder},
+        {"evaluate", "builtin:cornell", "--size", "640x99999", "-o", folder},
+        {"evaluate", "builtin:cornell", "--use", "no_such_technique", "-o", folder},
+        {"evaluate", "builtin:cornell", "--use", "isr:no_such_parameter=1", "-o", folder},
+        {"evaluate", "builtin:cornell", "--use", "isr", "--use", "isr", "-o", folder},
+        {"evaluate", "builtin:cornell", "--use", "isr+isr", "-o", folder},
+        {"evaluate", "builtin:cornell", "--frame", "no_such_option=1", "-o", folder},
+        {"evaluate", "builtin:cornell", "--component", "light", "-o", folder},
+        {"evaluate", "builtin:cornell", "--component", "full+direct", "-o", folder},
+        {"evaluate", "builtin:cornell", "--spp", "0", "-o", folder},
+        {"render", "builtin:cornell", "--use", "no_such_technique", "-o", picture},
+        {"reference", "builtin:cornell", "--size", "-1x5", "-o", picture},
+        {"reference", "builtin:cornell", "-o", (out / "truth.bmp").string()},
+        {"reference", "builtin:cornell", "--view", "no such view", "-o", picture},
+    };
+    for (const auto& command : commands) {
+        SCOPED_TRACE(::testing::PrintToString(command));
+        expect_refused(run_luxel(command), 2);
+        EXPECT_TRUE(out.empty());
+    }
+}
+
+TEST(CommandLine, UnknownNamesListTheKnownOnes) {
+    const TemporaryFolder out;
+    const std::string picture = (out / "p.png").string();
+    const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
+        {{"evaluat"}, "evaluate"},
+        {{"render", "builtin:cornell", "--use", "none", "-o", picture}, "known"},
+        {{"render", "builtin:cornell", "--frame", "none=1", "-o", picture}, "shadow_size"},
+        {{"render", "builtin:cornell", "--image", "none", "-o", picture}, "depth"},
+        {{"reference", "builtin:cornell", "--component", "none", "-o", picture}, "diffuse1"},
+        {{"info", "builtin:none"}, "cornell"},
+    };
+    for (const auto& [command, known] : commands)
+        EXPECT_NE(run_luxel(command).error.find(known), std::string::npos)
+            << ::testing::PrintToString(command);
+}
+
+// Beneath a regular file nobody can make anything, not even root.
+TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
+    const TemporaryFolder folder;
+    spill(folder / "file", "");
+    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder / "file/result").string()}), 6);
+    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder / "file").string()}), 6);
+    expect_refused(run_luxel({"render", "builtin:cornell", "-o", (folder / "file/p.png").string()}), 6);
+    expect_refused(run_luxel({"reference", "builtin:cornell", "-o", (folder / "none/p.exr").string()}), 6);
+    EXPECT_EQ(slurp(folder / "file"), "");
+}
+
+TEST(CommandLine, HelpAndVersionSucceed) {
+    EXPECT_EQ(run_luxel({"--version"}).out, "luxel " LUXEL_VERSION "\n");
+    for (const char* name : {"evaluate", "render", "reference", "diff", "techniques", "info", "devices"}) {
+        const ProcessResult result = run_luxel({name, "--help"});
+        EXPECT_EQ(result.code, 0);
+        EXPECT_NE(result.out.find("Example"), std::string::npos) << name;
+        EXPECT_EQ(result.error, "");
+    }
+}
+
+TEST(CommandLine, InfoTechniquesAndDevicesSpeakJson) {
+    const Json info = Json::parse(run_luxel({"info", "builtin:cornell", "--json"}).out);
+    EXPECT_GE(info.at("triangles"), 30);
+    EXPECT_FALSE(info.at("cameras").empty());
+    const Json techniques = Json::parse(run_luxel({"techniques", "--json"}).out);
+    for (const Json& technique : techniques.at("techniques"))
+        for (const char* key : {"name", "slot", "summary", "parameters"})
+            EXPECT_TRUE(technique.contains(key)) << key;
+    EXPECT_FALSE(techniques.at("frame").empty());
+    EXPECT_TRUE(Json::parse(run_luxel({"devices", "--json"}).out).at("devices").is_array());
+}
+
+} // namespace
+} // namespace luxel::testing
