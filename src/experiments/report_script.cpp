@@ -124,7 +124,8 @@ function gainChart() {
         height: Math.max(Math.abs(y(t.gain) - y(0)), .5), rx: 2, fill: colorOf(i), opacity: t.claimed || t.gain < 0 ? 1 : .35},
         make("title", {}, `${view.name}, ${t.label}: ${fixed(t.gain, 2)} %`)));
     });
-    const name = view.name.length > 11 ? view.name.slice(0, 10) + "\u2026" : view.name;
+    const fits = Math.max(Math.floor(group * every / 6.6), 4);
+    const name = view.name.length > fits ? view.name.slice(0, fits - 1) + "\u2026" : view.name;
     if (v % every === 0) chart.append(make("text", {x: center, y: height - bottom + 22, "text-anchor": "middle"}, name,
                                            make("title", {}, view.name)));
   });
@@ -153,11 +154,20 @@ function costChart() {
     "stroke-dasharray": "4 4"}, make("title", {}, "the reference's own noise: " + fixed(noise, 5))));
   for (const p of all) chart.append(make("circle", {cx: x(p.row.ms), cy: y(p.row.delta), r: 3, fill: colorOf(p.i), opacity: .3},
     make("title", {}, `${p.view}, ${p.row.label}: ${fixed(p.row.ms, 2)} ms, delta ${fixed(p.row.delta, 5)}`)));
+  for (const p of points) chart.append(make("circle", {cx: x(p.row.ms), cy: y(p.row.delta), r: 6.5, fill: colorOf(p.i),
+    stroke: "#fff", "stroke-width": 1.5}));
+  // Each label takes the first place around its point that is free: beside it, else higher or lower.
+  const taken = points.map(p => ({x: x(p.row.ms) - 7, y: y(p.row.delta) - 7, w: 14, h: 14}));
+  const free = b => b.x >= left && b.x + b.w <= width && b.y >= 0 &&
+    !taken.some(t => b.x < t.x + t.w && t.x < b.x + b.w && b.y < t.y + t.h && t.y < b.y + b.h);
   for (const p of points) {
-    const end = x(p.row.ms) > width * .6;
-    chart.append(make("circle", {cx: x(p.row.ms), cy: y(p.row.delta), r: 6.5, fill: colorOf(p.i), stroke: "#fff", "stroke-width": 1.5}),
-      make("text.strong", {x: x(p.row.ms) + (end ? -12 : 12), y: y(p.row.delta) + 4, "text-anchor": end ? "end" : "start",
-        stroke: "#fff", "stroke-width": 3, "paint-order": "stroke"}, p.row.label));
+    const w = p.row.label.length * 7, h = 15, px = x(p.row.ms), py = y(p.row.delta);
+    const places = [0, -17, 17, -32, 32, -47, 47].flatMap(dy => [px + 11, px - 11 - w, px - w / 2].slice(0, dy ? 3 : 2)
+      .map(bx => ({x: bx, y: py - h / 2 + dy, w, h})));
+    const box = places.find(free) || places[0];
+    taken.push(box);
+    chart.append(make("text.strong", {x: box.x + w / 2, y: box.y + 12, "text-anchor": "middle", stroke: "#fff", "stroke-width": 3,
+                                      "paint-order": "stroke", style: "fill:" + colorOf(p.i)}, p.row.label));
   }
   return chart;
 }
