@@ -145,7 +145,7 @@ TEST(CommandLine, UnknownNamesListTheKnownOnes) {
         {{"evaluat"}, "evaluate"},
         {{"render", "builtin:cornell", "--use", "none", "-o", picture}, "known"},
         {{"render", "builtin:cornell", "--frame", "none=1", "-o", picture}, "shadow_size"},
-        {{"render", "builtin:cornell", "--image", "none", "-o", picture}, "depth"},
+        {{"render", "builtin:shapes-point", "--image", "none", "-o", picture}, "depth"},
         {{"reference", "builtin:cornell", "--component", "none", "-o", picture}, "diffuse1"},
         {{"info", "builtin:none"}, "cornell"},
     };
