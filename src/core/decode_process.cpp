@@ -144,14 +144,15 @@ void cap(decltype(RLIMIT_AS) resource, rlim_t most) {
     if (setrlimit(resource, &limit) != 0) _exit(1);
 }
 
-// No descriptor can be opened any more: no files, no sockets. Sanitizers reserve terabytes of address space.
+// No descriptor can be opened any more: no files, no sockets.
 void give_up_rights() {
     if (close_range(3, ~0U, 0) != 0) _exit(1);
-    cap(RLIMIT_NOFILE, 0);
     cap(RLIMIT_FSIZE, 0);
     cap(RLIMIT_CORE, 0);
     cap(RLIMIT_CPU, processor_seconds);
+    // Sanitizers reserve terabytes of addresses and open pipes to probe memory.
 #ifndef __SANITIZE_ADDRESS__
+    cap(RLIMIT_NOFILE, 0);
     cap(RLIMIT_AS, address_space);
 #endif
 }

@@ -177,7 +177,7 @@ TEST(Decode, EveryFileOfTheCorpusDecodesOrIsRefusedQuickly) {
             ++stopped;
             std::printf("%s: %s\n", entry.path().filename().c_str(), reason.c_str());
         }
-            std::printf("%s: %s\n", entry.path().filename().c_str(), reason.c_str());
+        std::printf("%s: %s\n", entry.path().filename().c_str(), reason.c_str());
     }
     std::printf("%d decoded, %d refused, of them %d by ending the decoder\n", decoded, refused, stopped);
     EXPECT_GT(decoded, 0);

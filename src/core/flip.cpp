@@ -18,7 +18,7 @@ namespace {
 
 using Filter = std::vector<float>; // odd length, centered
 
-// [Andersson2020, sec. 4.1 and 4.2]
+// The parameters' names in [Andersson2020] follow each.
 constexpr float color_exponent = 0.7f;                       // q_c
 constexpr float color_knee = 0.4f, color_knee_value = 0.95f; // p_c, p_t
 constexpr float feature_exponent = 0.5f;                     // q_f
@@ -32,7 +32,8 @@ const glm::mat3 xyz_of_rgb(glm::vec3(10135552.0 / 24577794, 2613072.0 / 12288897
 const glm::mat3 rgb_of_xyz = glm::inverse(xyz_of_rgb);
 const glm::vec3 white = xyz_of_rgb * glm::vec3(1.0f);
 
-// The linear opponent space in which the eye's contrast sensitivity is applied [Andersson2020, sec. 4.1.1].
+// The linear opponent space in which the eye's contrast sensitivity is applied [Andersson2020, spatial
+// filtering].
 glm::vec3 opponent_of_rgb(glm::vec3 rgb) {
     const glm::vec3 q = xyz_of_rgb * rgb / white;
     return {116.0f * q.y - 16.0f, 500.0f * (q.x - q.y), 200.0f * (q.y - q.z)};
@@ -43,7 +44,8 @@ glm::vec3 rgb_of_opponent(glm::vec3 opponent) {
     return rgb_of_xyz * (glm::vec3(y + opponent.y / 500.0f, y, y - opponent.z / 200.0f) * white);
 }
 
-// CIE L*a*b*, then the Hunt effect: colors fade in the dark [Andersson2020, sec. 4.1.2].
+// CIE L*a*b*, then the Hunt effect: colors fade in the dark [Andersson2020, perceptually uniform color
+// space].
 glm::vec3 hunt_lab_of_rgb(glm::vec3 rgb) {
     constexpr float delta = 6.0f / 29.0f;
     const auto root = [](float t) {
@@ -113,8 +115,8 @@ void normalize(Filter& filter) {
     for (float& weight : filter) weight /= sum;
 }
 
-// One Gaussian of the contrast sensitivity, exp(-pi^2 x^2 / b) with x in degrees [Andersson2020, eq. 2]. All
-// channels share the radius of three standard deviations of the widest, b = .04.
+// One Gaussian of the contrast sensitivity, exp(-pi^2 x^2 / b) with x in degrees [Andersson2020, spatial
+// filtering]. All channels share the radius of three standard deviations of the widest, b = .04.
 Filter sensitivity(double b, double pixels_per_degree) {
     constexpr double pi2 = std::numbers::pi * std::numbers::pi;
     const int radius = int(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * pi2)) * pixels_per_degree));
@@ -127,7 +129,7 @@ Filter sensitivity(double b, double pixels_per_degree) {
 }
 
 // Blue-yellow is a sum of two Gaussians: filtered apart, weighted by their shares of the sum
-// [Andersson2020, table 1: a = 34.1, b = .04 and a = 13.5, b = .025].
+// [Andersson2020: a = 34.1, b = .04 and a = 13.5, b = .025].
 Image blur_blue_yellow(const Image& plane, double pixels_per_degree) {
     Filter wide = sensitivity(0.04, pixels_per_degree), narrow = sensitivity(0.025, pixels_per_degree);
     const auto weight = [](double a, double b, const Filter& filter) {
@@ -193,7 +195,7 @@ Percept perceive(const Image& linear, double pixels_per_degree) {
         lightness.data[i] = (opponent.x + 16.0f) / 116.0f;
     });
 
-    // Color: what the eye resolves, back in the displayable range [Andersson2020, sec. 4.1.1].
+    // Color: what the eye resolves, back in the displayable range.
     Filter achromatic = sensitivity(0.0047, pixels_per_degree),
            red_green = sensitivity(0.0053, pixels_per_degree);
     normalize(achromatic), normalize(red_green);
@@ -205,7 +207,7 @@ Percept perceive(const Image& linear, double pixels_per_degree) {
         std::copy(&lab.x, &lab.x + 3, &percept.lab.data[3 * i]);
     });
 
-    // Features: derivatives of Gaussians along x and y [Andersson2020, sec. 4.2].
+    // Features: derivatives of Gaussians along x and y [Andersson2020, feature pipeline].
     const FeatureFilters filters = feature_filters(pixels_per_degree);
     const Image smooth = convolve_rows(lightness, filters.gauss);
     percept.edges = magnitude(convolve_columns(convolve_rows(lightness, filters.first), filters.gauss),
@@ -222,7 +224,8 @@ Image error_map(const Image& reference, const Image& test, double pixels_per_deg
     const float knee = color_knee * largest;
     Image map(reference.width, reference.height, 1);
     parallel_for(map.pixels(), 4096, [&](std::size_t i) {
-        // Color error, spread so that [0, knee] takes most of the range [Andersson2020, sec. 4.1.4].
+        // Color error, spread so that [0, knee] takes most of the range [Andersson2020, error
+        // redistribution].
         const float* p = &a.lab.data[3 * i];
         const float* q = &b.lab.data[3 * i];
         const float distance = color_distance({p[0], p[1], p[2]}, {q[0], q[1], q[2]});
@@ -230,7 +233,7 @@ Image error_map(const Image& reference, const Image& test, double pixels_per_deg
                                             : color_knee_value + (distance - knee) / (largest - knee) *
                                                                      (1.0f - color_knee_value);
 
-        // A differing edge or point makes the color error more visible [Andersson2020, eq. 7 and 8].
+        // A differing edge or point makes the color error more visible [Andersson2020, final difference].
         const float edge = std::abs(a.edges.data[i] - b.edges.data[i]);
         const float point = std::abs(a.points.data[i] - b.points.data[i]);
         const float feature =
@@ -248,7 +251,7 @@ FlipResult pooled(Image map) {
     result.mean = sum / double(sorted.size());
     result.max = sorted.back();
 
-    // The error below which half of the total error lies [Andersson2020, sec. 5].
+    // The error below which half of the total error lies [Andersson2020, weighted histogram].
     double running = 0.0;
     for (const float error : sorted) {
         running += error;
@@ -262,7 +265,7 @@ FlipResult pooled(Image map) {
 // NaN and negative values count as black; the cap keeps the tone curve's squares finite.
 float finite(float value) { return value > 0.0f ? std::min(value, 1e12f) : 0.0f; }
 
-// ACES as fitted by Narkowicz, without its exposure bias of .6 [Andersson2021, sec. 3]:
+// ACES as fitted by Narkowicz, without its exposure bias of .6 [Andersson2021]:
 // (a x^2 + b x) / (c x^2 + d x + e).
 constexpr float aces_a = 0.36f * 2.51f, aces_b = 0.6f * 0.03f, aces_c = 0.36f * 2.43f, aces_d = 0.6f * 0.59f,
                 aces_e = 0.14f;
@@ -315,7 +318,7 @@ HdrExposures flip_exposures(const Image& reference) {
     }
 
     // The tone curve reaches .85 at x: the brightest pixel is brought there first, the median last
-    // [Andersson2021, sec. 3.1].
+    // [Andersson2021, automatic exposures].
     constexpr double target = 0.85;
     const double a = aces_a - target * aces_c, b = aces_b - target * aces_d, c = -target * aces_e;
     const double x = -0.5 * b / a + std::sqrt(0.25 * b * b / (a * a) - c / a);

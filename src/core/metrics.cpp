@@ -51,6 +51,47 @@ double distance(const Image& a, const Image& b, int x, int y) {
 // The thesis's own luminance weights [Rohleder2010, eq. 17].
 double thesis_luminance(glm::dvec3 c) { return 0.27 * c.r + 0.67 * c.g + 0.06 * c.b; }
 
+// SSIM's 11 x 11 Gaussian of sigma 1.5, separable.
+constexpr int window_radius = 5;
+using Window = std::array<double, 2 * window_radius + 1>;
+
+Window gaussian_window() {
+    Window window;
+    double total = 0.0;
+    for (int i = -window_radius; i <= window_radius; ++i)
+        total += window[std::size_t(i + window_radius)] = std::exp(-i * i / (2.0 * 1.5 * 1.5));
+    for (double& weight : window) weight /= total;
+    return window;
+}
+
+// Weighted means of a, b, a^2, b^2 and ab, the luminances of two images.
+using Moments = std::array<double, 5>;
+
+// Along rows, for every whole window of a row.
+std::vector<Moments> row_moments(const Image& reference, const Image& image, const Window& window) {
+    const int inner_width = reference.width - 2 * window_radius;
+    std::vector<Moments> rows(std::size_t(inner_width) * std::size_t(reference.height));
+    parallel_for(std::size_t(reference.height), 8, [&](std::size_t y) {
+        for (int x = 0; x < inner_width; ++x) {
+            Moments& sum = rows[y * std::size_t(inner_width) + std::size_t(x)];
+            for (std::size_t k = 0; k < window.size(); ++k) {
+                const double a = luminance(reference.rgb(x + int(k), int(y)));
+                const double b = luminance(image.rgb(x + int(k), int(y)));
+                const Moments moments = {a, b, a * a, b * b, a * b};
+                for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += window[k] * moments[m];
+            }
+        }
+    });
+    return rows;
+}
+
+double similarity_of(const Moments& moments) {
+    constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03; // (K L)^2 with L = 1
+    const auto [a, b, aa, bb, ab] = moments;
+    const double covariance = ab - a * b, variances = aa - a * a + bb - b * b;
+    return (2.0 * a * b + c1) * (2.0 * covariance + c2) / ((a * a + b * b + c1) * (variances + c2));
+}
+
 } // namespace
 
 double rmse(const Image& reference, const Image& image, const Image& mask) {
@@ -93,46 +134,22 @@ double psnr(const Image& reference, const Image& image, const Image& mask) {
 
 double ssim(const Image& reference, const Image& image, const Image& mask) {
     check_sizes(reference, image, mask);
-    constexpr int radius = 5;
-    constexpr double sigma = 1.5, c1 = 0.01 * 0.01, c2 = 0.03 * 0.03; // (K L)^2 with L = 1
-    std::array<double, 2 * radius + 1> weights;
-    double total = 0.0;
-    for (int i = -radius; i <= radius; ++i)
-        total += weights[std::size_t(i + radius)] = std::exp(-i * i / (2.0 * sigma * sigma));
-    for (double& weight : weights) weight /= total;
-
-    // Per pixel a, b, a^2, b^2 and ab of the luminance, blurred along rows, then along columns where needed.
-    using Moments = std::array<double, 5>;
     const int width = reference.width, height = reference.height;
-    const int inner_width = width - 2 * radius, inner_height = height - 2 * radius;
+    const int inner_width = width - 2 * window_radius, inner_height = height - 2 * window_radius;
     if (inner_width < 1 || inner_height < 1) return std::numeric_limits<double>::quiet_NaN();
-    std::vector<Moments> rows(std::size_t(inner_width) * std::size_t(height));
-    parallel_for(std::size_t(height), 8, [&](std::size_t y) {
-        for (int x = 0; x < inner_width; ++x) {
-            Moments sum{};
-            for (int k = 0; k <= 2 * radius; ++k) {
-                const double a = luminance(reference.rgb(x + k, int(y))),
-                             b = luminance(image.rgb(x + k, int(y)));
-                const Moments moments = {a, b, a * a, b * b, a * b};
-                for (std::size_t m = 0; m < 5; ++m) sum[m] += weights[std::size_t(k)] * moments[m];
-            }
-            rows[y * std::size_t(inner_width) + std::size_t(x)] = sum;
-        }
-    });
+    const Window window = gaussian_window();
+    const std::vector<Moments> rows = row_moments(reference, image, window);
 
     // [Wang2004, eq. 13] at every whole window; its center decides whether it counts.
     Image similarity(width, height, 1), inside(width, height, 1);
     parallel_for(std::size_t(inner_height), 8, [&](std::size_t y) {
         for (int x = 0; x < inner_width; ++x) {
             Moments sum{};
-            for (std::size_t k = 0; k <= 2 * radius; ++k)
-                for (std::size_t m = 0; m < 5; ++m)
-                    sum[m] += weights[k] * rows[(y + k) * std::size_t(inner_width) + std::size_t(x)][m];
-            const auto [a, b, aa, bb, ab] = sum;
-            const double covariance = ab - a * b, variances = aa - a * a + bb - b * b;
-            const int center_x = x + radius, center_y = int(y) + radius;
-            *similarity.at(center_x, center_y) = float((2.0 * a * b + c1) * (2.0 * covariance + c2) /
-                                                       ((a * a + b * b + c1) * (variances + c2)));
+            for (std::size_t k = 0; k < window.size(); ++k)
+                for (std::size_t m = 0; m < sum.size(); ++m)
+                    sum[m] += window[k] * rows[(y + k) * std::size_t(inner_width) + std::size_t(x)][m];
+            const int center_x = x + window_radius, center_y = int(y) + window_radius;
+            *similarity.at(center_x, center_y) = float(similarity_of(sum));
             *inside.at(center_x, center_y) = counts(mask, center_x, center_y) ? 1.0f : 0.0f;
         }
     });
