@@ -19,8 +19,8 @@ enum class Wrap { repeat, clamp, mirror };
 
 struct Texture {
     std::string name;
-    Pixels8 pixels;     // as stored
-    bool srgb = false;  // color data (sRGB curve) or numbers (linear)
+    Pixels8 pixels;    // as stored
+    bool srgb = false; // color data (sRGB curve) or numbers (linear)
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     bool nearest = false;
 };
@@ -47,9 +47,10 @@ struct Material {
     bool thin = true; // no KHR_materials_volume: light passes without refraction
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
-    bool double_sided = false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
-    TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture, specular_texture,
-        specular_color_texture, transmission_texture;
+    bool double_sided =
+        false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
+    TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
+        specular_texture, specular_color_texture, transmission_texture;
 };
 
 // One indexed triangle list with one material, in object space. Normals are always present (generated when
@@ -57,11 +58,11 @@ struct Material {
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions, normals;
-    std::vector<glm::vec4> tangents;      // empty or positions.size()
-    std::vector<glm::vec2> texcoords[2];  // each empty or positions.size()
-    std::vector<glm::vec4> colors;        // linear, empty or positions.size()
-    std::vector<std::uint32_t> indices;   // multiple of 3, every index < positions.size()
-    int material = 0;                     // index into Scene::materials
+    std::vector<glm::vec4> tangents;     // empty or positions.size()
+    std::vector<glm::vec2> texcoords[2]; // each empty or positions.size()
+    std::vector<glm::vec4> colors;       // linear, empty or positions.size()
+    std::vector<std::uint32_t> indices;  // multiple of 3, every index < positions.size()
+    int material = 0;                    // index into Scene::materials
 };
 
 // Front faces are those wound counter-clockwise in object space, also under a mirroring transform.
@@ -74,14 +75,16 @@ struct Instance {
 
 struct Camera {
     std::string name;
-    glm::vec3 position{0.0f}, forward{0.0f, 0.0f, -1.0f}, up{0.0f, 1.0f, 0.0f}; // unit, up need not be orthogonal
-    float yfov = 0.9f;  // radians, vertical, whole angle
-    float near = 0.01f; // meters
+    glm::vec3 position{0.0f}, forward{0.0f, 0.0f, -1.0f},
+        up{0.0f, 1.0f, 0.0f}; // unit, up need not be orthogonal
+    float yfov = 0.9f;        // radians, vertical, whole angle
+    float near = 0.01f;       // meters
     float far = 1000.0f;
 };
 
-// Infinitely distant light from an equirectangular map. Direction (0, 1, 0) is the top row; the middle column is -z,
-// u grows to the right seen from inside: u = .5 + atan2(x, -z) / (2 pi), v = acos(y) / pi; before `rotation`.
+// Infinitely distant light from an equirectangular map. Direction (0, 1, 0) is the top row; the middle column
+// is -z, u grows to the right seen from inside: u = .5 + atan2(x, -z) / (2 pi), v = acos(y) / pi; before
+// `rotation`.
 struct Environment {
     Image radiance;        // 3 channels, linear; empty = none
     float rotation = 0.0f; // radians about +y, counter-clockwise seen from above
@@ -122,7 +125,8 @@ struct CameraBasis {
 };
 CameraBasis camera_basis(const Camera& camera, int width, int height);
 inline glm::vec3 pixel_direction(const CameraBasis& b, int width, int height, glm::vec2 pixel) {
-    return b.forward + b.right * (2.0f * pixel.x / float(width) - 1.0f) - b.up * (2.0f * pixel.y / float(height) - 1.0f);
+    return b.forward + b.right * (2.0f * pixel.x / float(width) - 1.0f) -
+           b.up * (2.0f * pixel.y / float(height) - 1.0f);
 }
 
 } // namespace luxel
