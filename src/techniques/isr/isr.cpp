@@ -22,6 +22,7 @@ void IsrOptions::visit(Visitor& v) {
     v.real("blur", blur, {0, 16}, "Gaussian sigma in coarse pixels; 0 = none");
     v.real("grazing", grazing, {0.001, 1}, "least cosine between a patch and the view ray");
     v.real("ao_radius", ao_radius, {0.001, 1000}, "meters within which patches block ambient light");
+    v.real("spacing", spacing, {1, 64}, "coarse pixels between the offsets, mode=thesis only");
     v.real("k_isr", k_isr, {0, 10}, "indirect power, mode=thesis only");
     v.real("k_ssao", k_ssao, {0, 1}, "occlusion power, mode=thesis only");
 }
@@ -32,9 +33,6 @@ namespace {
 struct Coarse {
     gpu::Image patches, receiver, source, albedo;
 };
-
-// k of the smallest square of (2k+1)^2 - 1 offsets that holds `taps` of them.
-int square_half(int taps) { return int(std::ceil((std::sqrt(float(taps + 1)) - 1.0f) / 2.0f)); }
 
 IsrParams make_params(const IsrOptions& options, const Frame& frame) {
     std::uint32_t step = options.resolution == IsrResolution::half ? 2 : 1;
@@ -52,10 +50,11 @@ IsrParams make_params(const IsrOptions& options, const Frame& frame) {
     p.inner_radius = 0.5f;
     p.grazing = options.grazing;
     p.ao_radius = options.ao_radius;
-    // The thesis states neither its offsets nor its sphere: occlusion uses half the spacing of radiosity,
+    // The thesis states neither its spacing nor its spheres: occlusion uses half the spacing of radiosity,
     // with spheres that touch each other.
+    p.spacing = options.spacing;
     p.ao_stride = 0.5f;
-    p.occluder = 0.5f * p.ao_stride * p.radius / float(square_half(p.taps));
+    p.occluder = 0.5f * p.ao_stride * p.spacing;
     return p;
 }
 
@@ -140,10 +139,9 @@ std::vector<glm::vec4> isr_taps(const IsrParams& p) {
         }
         return taps;
     }
-    // The thesis's square of (2k+1)^2 - 1 offsets around the pixel [Rohleder2010, listing 6]; its spacing is
-    // not stated, so that the square spans the kernel's diameter. Counts in between drop the outermost
-    // offsets.
-    int half = square_half(p.taps);
+    // The thesis's square of (2k+1)^2 - 1 offsets around the pixel [Rohleder2010, listing 6]; counts in
+    // between drop the outermost ones.
+    int half = int(std::ceil((std::sqrt(float(p.taps + 1)) - 1.0f) / 2.0f));
     std::vector<glm::vec2> square;
     for (int y = -half; y <= half; ++y)
         for (int x = -half; x <= half; ++x)
@@ -151,7 +149,7 @@ std::vector<glm::vec4> isr_taps(const IsrParams& p) {
     std::stable_sort(square.begin(), square.end(),
                      [](glm::vec2 a, glm::vec2 b) { return dot(a, a) < dot(b, b); });
     for (int i = 0; i < p.taps; ++i)
-        taps[std::size_t(i)] = {glm::round(square[std::size_t(i)] * p.radius / float(half)), 1.0f, 0.0f};
+        taps[std::size_t(i)] = {glm::round(square[std::size_t(i)] * p.spacing), 1.0f, 0.0f};
     return taps;
 }
 

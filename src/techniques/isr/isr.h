@@ -20,6 +20,7 @@ struct IsrOptions {
     float blur = 1.5f;                 // Gaussian sigma, coarse pixels
     float grazing = 0.05f;             // least cosine between a patch and the view ray
     float ao_radius = 1.0f;            // meters
+    float spacing = 4.0f;              // coarse pixels, mode=thesis only
     float k_isr = 0.5f, k_ssao = 0.5f; // mode=thesis only
     void visit(Visitor& v);
 };

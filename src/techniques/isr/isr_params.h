@@ -23,6 +23,7 @@ struct IsrParams {
     float inner_radius; // of the excluded disc around the receiver, coarse pixels
     float grazing;      // least |cos| between a patch's normal and the view ray
     float ao_radius;    // meters; occluders beyond it do not count
+    float spacing;      // thesis: coarse pixels between the radiosity offsets
     float ao_stride;    // thesis: occlusion offsets relative to the radiosity offsets
     float occluder;     // thesis: radius of the occluding spheres, coarse pixels
 };
