@@ -7,6 +7,6 @@
 extern "C" int dlclose(void*);
 extern "C" int dlclose(void*) { return 0; }
 
-// The layer's experimental checks across submits (1.3.239) leave reference cycles behind for every submit.
+// The validation layer (1.3.239) does not free all that it keeps about objects which were destroyed.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libVkLayer_khronos_validation.so\n"; }

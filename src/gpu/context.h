@@ -68,6 +68,8 @@ public:
     std::uint32_t queue_family = 0;
     VkPhysicalDeviceProperties properties{};
     VkPhysicalDeviceMemoryProperties memory_types{};
+    std::uint64_t largest_allocation = 0;
+    std::uint64_t memory_limit = UINT64_MAX; // tests pretend to have a smaller device
     DeviceInfo info;
     std::shared_ptr<MessageLog> log = std::make_shared<MessageLog>();
     MemoryUse memory;
@@ -78,6 +80,8 @@ public:
 private:
     void make_instance(const GpuOptions& options);
     void make_device();
+    void check_size(std::uint64_t bytes, const std::string& name) const;
+    VkResult try_allocate(const VkMemoryAllocateInfo& allocation, VkDeviceMemory& block) const;
     VkDeviceMemory allocate(const VkMemoryRequirements& needs, Memory kind, const std::string& name);
     void destroy(ImageStorage& storage);
     void destroy(BufferStorage& storage);

@@ -313,7 +313,16 @@ void Context::make_instance(const GpuOptions& options) {
 }
 
 void Context::make_device() {
-    vkGetPhysicalDeviceProperties(physical, &properties);
+    VkPhysicalDeviceMaintenance4Properties buffers{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+    VkPhysicalDeviceMaintenance3Properties allocations{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    allocations.pNext = &buffers;
+    all.pNext = &allocations;
+    vkGetPhysicalDeviceProperties2(physical, &all);
+    properties = all.properties;
+    largest_allocation = std::min(buffers.maxBufferSize, allocations.maxMemoryAllocationSize);
     vkGetPhysicalDeviceMemoryProperties(physical, &memory_types);
     queue_family = queue_family_of(physical).value();
 

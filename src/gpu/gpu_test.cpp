@@ -3,6 +3,7 @@
 #include "gpu/gpu.h"
 
 #include "core/error.h"
+#include "gpu/check.h"
 #include "gpu/program.h"
 #include "gpu/recorder.h"
 #include "support/gpu.h"
@@ -200,6 +201,30 @@ TEST_F(GpuResources, WhatCannotBeHadIsAnError) {
     };
     const std::uint32_t side = gpu().data().context->properties.limits.maxImageDimension2D + 1;
     EXPECT_EQ(fault_of([&] { gpu().image({.width = side, .height = 1}, "monster"); }), int(Fault::resource));
+    EXPECT_EQ(fault_of([&] { gpu().buffer(1ull << 50, "monster"); }), int(Fault::resource));
+    EXPECT_EQ(fault_of([&] { check(VK_ERROR_DEVICE_LOST, "vkQueueSubmit2(...)", "monster"); }),
+              int(Fault::device_lost));
+}
+
+// A device of 4 MiB: what is free makes room before anything fails, and a failure leaves all as it was.
+TEST_F(GpuResources, ShortageEmptiesThePoolFirst) {
+    Gpu small({.validation = true});
+    small.data().context->memory_limit = 4u << 20;
+    { const Buffer free = small.buffer(3u << 20, "free"); }
+    const Buffer kept = small.buffer(2u << 20, "kept");
+    const std::uint64_t before = small.memory().now;
+    try {
+        small.buffer(3u << 20, "too much");
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.fault(), Fault::resource);
+        EXPECT_NE(
+            std::string(e.what()).find("too much: 3 MiB of device memory cannot be had (2 MiB are in use)"),
+            std::string::npos)
+            << e.what();
+    }
+    EXPECT_EQ(small.memory().now, before);
+    EXPECT_TRUE(small.validation_messages().empty());
 }
 
 using GpuDeathTest = GpuResources;

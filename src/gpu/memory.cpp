@@ -32,7 +32,21 @@ bool same(const ImageInfo& a, const ImageInfo& b) {
 
 } // namespace
 
+void Context::check_size(std::uint64_t bytes, const std::string& name) const {
+    if (bytes > largest_allocation)
+        fail(Fault::resource, "gpu: {}: {} MiB, but {} allows {} MiB in one piece", name, bytes >> 20,
+             info.name, largest_allocation >> 20);
+}
+
+VkResult Context::try_allocate(const VkMemoryAllocateInfo& allocation, VkDeviceMemory& block) const {
+    if (memory.now + free_bytes_ + allocation.allocationSize > memory_limit)
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    return vkAllocateMemory(device, &allocation, nullptr, &block);
+}
+
 VkDeviceMemory Context::allocate(const VkMemoryRequirements& needs, Memory kind, const std::string& name) {
+    check_size(needs.size, name);
+
     // Preferences in order; the last one always exists by the specification.
     constexpr VkMemoryPropertyFlags host =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -41,7 +55,6 @@ VkDeviceMemory Context::allocate(const VkMemoryRequirements& needs, Memory kind,
     if (kind == Memory::upload) wishes = {host};
     if (kind == Memory::readback) wishes = {host | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, host};
 
-    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
     for (const VkMemoryPropertyFlags wish : wishes) {
         for (std::uint32_t type = 0; type < memory_types.memoryTypeCount; ++type) {
             const bool fits = (needs.memoryTypeBits >> type & 1u) != 0 &&
@@ -50,14 +63,12 @@ VkDeviceMemory Context::allocate(const VkMemoryRequirements& needs, Memory kind,
             const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                                   .allocationSize = needs.size,
                                                   .memoryTypeIndex = type};
-            VkDeviceMemory memory_block = VK_NULL_HANDLE;
-            result = vkAllocateMemory(device, &allocation, nullptr, &memory_block);
-            if (result == VK_SUCCESS) return memory_block;
+            VkDeviceMemory block = VK_NULL_HANDLE;
+            if (try_allocate(allocation, block) == VK_SUCCESS) return block;
 
             // The free ones may be what is in the way.
             trim(0);
-            result = vkAllocateMemory(device, &allocation, nullptr, &memory_block);
-            if (result == VK_SUCCESS) return memory_block;
+            if (try_allocate(allocation, block) == VK_SUCCESS) return block;
         }
     }
     fail(Fault::resource, "gpu: {}: {} MiB of device memory cannot be had ({} MiB are in use)", name,
@@ -134,6 +145,7 @@ BufferStorage Context::make_buffer(std::uint64_t capacity, Memory kind, const st
         return storage;
     }
 
+    check_size(capacity, name);
     BufferStorage storage{.kind = kind, .capacity = capacity};
     const VkBufferCreateInfo create{
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,

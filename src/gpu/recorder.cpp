@@ -61,22 +61,23 @@ void Recorder::dispatch_bytes(std::string_view name, Extent threads, std::span<c
     Program& program = gpu_.data().program(name);
     LUXEL_ASSERT(program.compute, "{} is not a compute shader", name);
     check_params(program, params);
-    const auto groups = [&](std::uint32_t count, std::size_t axis) {
+    const std::array<std::uint32_t, 3> counts{threads.x, threads.y, threads.z};
+    std::array<std::uint32_t, 3> groups{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t size = program.local_size[axis];
-        const std::uint32_t n = count / size + (count % size != 0);
+        groups[axis] = counts[axis] / size + (counts[axis] % size != 0);
         const std::uint32_t most = gpu_.data().context->properties.limits.maxComputeWorkGroupCount[axis];
-        if (n > most)
-            fail(Fault::resource, "gpu: {}: {} work groups, but {} allows {}", name, n, gpu_.device().name,
-                 most);
-        return n;
-    };
+        if (groups[axis] > most)
+            fail(Fault::resource, "gpu: {}: {} work groups, but {} allows {}", name, groups[axis],
+                 gpu_.device().name, most);
+    }
 
     Commands& commands = data_->commands;
     data_->use_bindings(program, 0, bindings);
     commands.begin(program.name);
     vkCmdBindPipeline(commands.buffer(), VK_PIPELINE_BIND_POINT_COMPUTE, program.compute);
     data_->bind_set(VK_PIPELINE_BIND_POINT_COMPUTE, program, 0, params, bindings);
-    vkCmdDispatch(commands.buffer(), groups(threads.x, 0), groups(threads.y, 1), groups(threads.z, 2));
+    vkCmdDispatch(commands.buffer(), groups[0], groups[1], groups[2]);
     commands.end();
 }
 
