@@ -59,8 +59,8 @@ private:
     const std::string& name_;
 };
 
-// What the library does not refuse itself: it reads "nan" as 0, and cuts a polygon into triangles in time
-// quadratic in its corners.
+// What the library does not refuse itself: it reads "nan" as 0 and an overflowing index as another one, and
+// cuts a polygon into triangles in time quadratic in its corners.
 void check_line(std::string_view line, std::size_t number, const std::string& name) {
     constexpr std::string_view blanks = " \t\r";
     const auto next_word = [&line, blanks] {
@@ -75,9 +75,13 @@ void check_line(std::string_view line, std::size_t number, const std::string& na
             if (word.find_first_of("0123456789") == word.npos)
                 fail(Fault::bad_input, "{}: line {}: \"{}\" is not a finite number", name, number,
                      printable(word));
-    } else if (kind == "f" && line.size() > max_face_corners) {
+    } else if (kind == "f") {
         std::size_t corners = 0;
-        while (!next_word().empty()) ++corners;
+        for (std::string_view word = next_word(); !word.empty(); word = next_word(), ++corners)
+            for (std::size_t i = 0, digits = 0; i < word.size(); ++i) {
+                digits = word[i] >= '0' && word[i] <= '9' ? digits + 1 : 0;
+                if (digits > 9) fail(Fault::bad_input, "{}: line {}: an index is too large", name, number);
+            }
         if (corners > max_face_corners)
             fail(Fault::bad_input, "{}: line {}: a face with more than {} corners", name, number,
                  max_face_corners);
@@ -102,7 +106,7 @@ struct Source {
 
 Source read_source(const std::filesystem::path& path, const Folder& folder) {
     Source source;
-    source.name = printable(path.string());
+    source.name = printable(path.string(), longest_path);
     std::vector<std::uint8_t> text = read_file(path, max_obj_bytes);
     if (text.empty()) fail(Fault::bad_input, "{}: the file is empty", source.name);
     check_lines({reinterpret_cast<const char*>(text.data()), text.size()}, source.name);

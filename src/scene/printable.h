@@ -7,8 +7,8 @@
 namespace luxel {
 
 // Control characters replaced (a terminal would obey them), long texts cut.
-inline std::string printable(std::string_view text) {
-    constexpr std::size_t longest = 120;
+inline constexpr std::size_t longest_path = 4096;
+inline std::string printable(std::string_view text, std::size_t longest = 120) {
     std::string shown(text.substr(0, longest));
     for (char& c : shown)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';

@@ -59,8 +59,8 @@ Container split_container(std::span<const std::uint8_t> file, const std::string&
 }
 
 Document::Document(const std::filesystem::path& path)
-    : name_(printable(path.string())), folder_(path.has_parent_path() ? path.parent_path() : "."),
-      file_(luxel::read_file(path)) {
+    : name_(printable(path.string(), longest_path)),
+      folder_(path.has_parent_path() ? path.parent_path() : "."), file_(luxel::read_file(path)) {
     const Container parts = split_container(file_, name_);
     binary_ = parts.binary;
     json_ = parse_json(parts.json, name_);

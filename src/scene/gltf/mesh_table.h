@@ -16,8 +16,8 @@ class MeshTable {
 public:
     MeshTable(Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
-    // One instance for each primitive of the node's mesh. A mirroring transform stays one: front faces are those that
-    // are counter-clockwise in object space.
+    // One instance for each primitive of the node's mesh. A mirroring transform stays one: front faces are
+    // those that are counter-clockwise in object space.
     void add_instances(const Value& node, const glm::mat4& world);
 
 private:
