@@ -138,6 +138,17 @@ TEST(CommandLine, WrongUsageIsCodeTwo) {
     }
 }
 
+TEST(CommandLine, SizesThatDoNotFitAreCodeFive) {
+    const TemporaryFolder out;
+    const std::string all = "16384x16384", picture = (out / "p.exr").string();
+    std::vector<std::string> command = {"reference", "builtin:cornell", "--size", all, "-o", picture};
+    // 170 GB and more for the six of them.
+    for (const char* c : {"direct", "diffuse1", "diffuse", "specular", "full", "ao"})
+        command.insert(command.end(), {"--component", c});
+    expect_refused(run_luxel(command), 5);
+    EXPECT_TRUE(out.empty());
+}
+
 TEST(CommandLine, UnknownNamesListTheKnownOnes) {
     const TemporaryFolder out;
     const std::string picture = (out / "p.png").string();

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "experiments/components.h"
+#include "experiments/memory_budget.h"
 #include "experiments/view_choice.h"
 #include "options.h"
 #include "reference/reference.h"
@@ -37,11 +38,13 @@ void run(Options options, const Global& global) {
     for (const std::string& text : options.components) sums.push_back(parse_components(text));
     set_parameters(options.reference, "reference", parse_values("--settings", options.settings));
     check_picture_output(options.output);
+    ReferenceRequest request;
+    for (const auto& sum : sums) request.components.insert(request.components.end(), sum.begin(), sum.end());
+
+    require_memory(size.width, size.height, request.components.size());
 
     const Scene scene = load(options.scene, global);
     const RayCaster rays(scene);
-    ReferenceRequest request;
-    for (const auto& sum : sums) request.components.insert(request.components.end(), sum.begin(), sum.end());
     request.width = size.width, request.height = size.height;
     request.camera = choose_views(rays, {.names = {options.view}})[0];
     request.settings = options.reference;

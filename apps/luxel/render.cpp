@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/error.h"
+#include "experiments/memory_budget.h"
 #include "experiments/technique_rows.h"
 #include "experiments/timing.h"
 #include "experiments/view_choice.h"
@@ -34,7 +35,8 @@ RenderResult render(const Scene& scene, const Options& o, const FrameOptions& fr
 }
 
 void run(const Options& o, const Global& global) {
-    parse_size(o.size);
+    const Size size = parse_size(o.size);
+    require_memory(size.width, size.height, 0);
     TechniqueRow row = o.use.empty() || o.use == baseline_name ? baseline_row() : parse_use(o.use);
     FrameOptions frame;
     set_parameters(frame, "--frame", parse_values("--frame", o.frame));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "experiments/memory_budget.h"
 #include "experiments/timing.h"
 #include "scene/lights.h"
 #include "techniques/frame/renderer.h"
@@ -124,6 +125,7 @@ EvaluationResult evaluate(const Scene& scene, const EvaluationSettings& settings
                           std::vector<TechniqueRow> rows, const PictureSink& sink) {
     LUXEL_ASSERT(!rows.empty() && rows[0].techniques.empty(), "rows={}", rows.size());
     // The device first: a machine without one should say so before minutes of path tracing.
+    require_memory(settings.width, settings.height, settings.components.size() + 2);
     gpu::Gpu gpu({.device = settings.device});
     Renderer renderer(gpu, scene, settings.frame);
     const Scene truth_scene = reference_scene(scene, settings.frame, settings.true_environment);

@@ -30,7 +30,7 @@ const fixed = (value, digits) => value === null ? "\u221e" : value.toFixed(digit
 function gainCell(row, isBaseline) {
   if (isBaseline) return make("td.gain", {}, "\u2013");
   const hidden = row.gain > 0 && !row.claimed;
-  return make("td.gain." + (hidden ? "hidden" : row.gain > 0 ? "up" : "down"),
+  return make("td.gain." + (hidden || row.gain === 0 ? "hidden" : row.gain > 0 ? "up" : "down"),
               hidden ? {title: "smaller than the reference's own noise: not claimed"} : {},
               (hidden ? "~" : row.gain > 0 ? "+" : "") + fixed(row.gain, 2));
 }

@@ -6,8 +6,12 @@ namespace luxel {
 
 std::string_view report_viewer() {
     return R"js(
-// Left and right: -1 = reference, otherwise a row. kind: image | error | change.
-const state = {view: 0, left: -1, right: Math.min(1, results.mean.length - 1), layout: "slider", kind: "image", cut: 50};
+// Begins with the view where the best technique gains most. Left and right: -1 = reference, otherwise a row.
+// kind: image | error | change.
+const bestRow = results.mean.reduce((best, row, i) => row.delta < results.mean[best].delta ? i : best, 0);
+const gainOf = view => view.techniques[bestRow].gain;
+const firstView = results.views.reduce((best, view, i) => gainOf(view) > gainOf(results.views[best]) ? i : best, 0);
+const state = {view: firstView, left: -1, right: bestRow, layout: "slider", kind: "image", cut: 50};
 
 const nameOf = i => i < 0 ? "reference" : results.mean[i].label;
 function sourceOf(i) {

@@ -57,6 +57,7 @@ std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts) {
     std::vector<TechniqueRow> rows;
     rows.push_back(baseline_row());
     for (const std::string& text : texts) {
+        if (text == baseline_name) continue; // always there
         for (const TechniqueRow& row : rows)
             if (row.label == text) fail(Fault::usage, "--use {}: this row is there already", text);
         rows.push_back(parse_use(text));
