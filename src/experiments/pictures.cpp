@@ -51,7 +51,7 @@ template <class Color> Image map_pixels(const Image& mask, Color color) {
 
 Image error_map(const Image& shown_reference, const Image& shown, const Image& mask) {
     return map_pixels(mask, [&](int x, int y) {
-        return gradient(error_colors, distance(shown_reference, shown, x, y) / error_scale);
+        return gradient(error_colors, distance(shown_reference, shown, x, y) / float(error_scale));
     });
 }
 
@@ -60,7 +60,7 @@ Image change_map(const Image& shown_reference, const Image& shown_baseline, cons
     return map_pixels(mask, [&](int x, int y) {
         const float closer =
             distance(shown_reference, shown_baseline, x, y) - distance(shown_reference, shown, x, y);
-        return gradient(change_colors, 0.5f + 0.5f * closer / change_scale);
+        return gradient(change_colors, 0.5f + 0.5f * closer / float(change_scale));
     });
 }
 

@@ -10,7 +10,7 @@
 namespace luxel {
 
 // The full scale of the maps below, in display values; the report's legends say the same.
-inline constexpr float error_scale = 0.25f, change_scale = 0.10f;
+inline constexpr double error_scale = 0.25, change_scale = 0.1;
 
 // Mean absolute difference of the channels, from white (equal) over orange to black (>= error_scale).
 Image error_map(const Image& shown_reference, const Image& shown, const Image& mask);
