@@ -70,20 +70,20 @@ class BadSceneTest : public ::testing::TestWithParam<BadScene> {};
 
 TEST_P(BadSceneTest, EndsInOneSentenceAndNoOutput) {
     const TemporaryFolder folder;
-    const std::string file = (folder / GetParam().file).string();
+    const std::string file = (folder.path() / GetParam().file).string();
     spill(file, GetParam().content);
     expect_refused(run_luxel({"info", file}), 4);
 
     const TemporaryFolder out;
     for (const std::vector<std::string>& command : {
-             std::vector<std::string>{"evaluate", file, "-o", (out / "result").string()},
-             {"render", file, "-o", (out / "picture.png").string()},
-             {"reference", file, "-o", (out / "truth.exr").string()},
+             std::vector<std::string>{"evaluate", file, "-o", (out.path() / "result").string()},
+             {"render", file, "-o", (out.path() / "picture.png").string()},
+             {"reference", file, "-o", (out.path() / "truth.exr").string()},
          }) {
         const ProcessResult result = run_luxel(command);
         expect_refused(result, 4);
         EXPECT_NE(result.error.find(folder.path().string()), std::string::npos) << result.error;
-        EXPECT_TRUE(out.empty()) << command[0];
+        EXPECT_TRUE(std::filesystem::is_empty(out.path())) << command[0];
     }
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, BadSceneTest, ::testing::ValuesIn(bad_scenes()),
@@ -93,7 +93,7 @@ TEST(CommandLine, MissingSceneIsUnreadable) { expect_refused(run_luxel({"info", 
 
 TEST(CommandLine, MissingTextureIsACountedWarningAndAnErrorWhenStrict) {
     const TemporaryFolder folder;
-    const std::string file = (folder / "textured.gltf").string();
+    const std::string file = (folder.path() / "textured.gltf").string();
     spill(file, damaged([](Json& j) {
               j["images"] = Json::parse(R"([{"uri": "gone.png"}])");
               j["textures"] = Json::parse(R"([{"source": 0}])");
@@ -110,7 +110,7 @@ TEST(CommandLine, MissingTextureIsACountedWarningAndAnErrorWhenStrict) {
 
 TEST(CommandLine, WrongUsageIsCodeTwo) {
     const TemporaryFolder out;
-    const std::string folder = (out / "result").string(), picture = (out / "p.png").string();
+    const std::string folder = (out.path() / "result").string(), picture = (out.path() / "p.png").string();
     const std::vector<std::vector<std::string>> commands = {
         {},
         {"unknown"},
@@ -128,30 +128,30 @@ TEST(CommandLine, WrongUsageIsCodeTwo) {
         {"evaluate", "builtin:cornell", "--spp", "0", "-o", folder},
         {"render", "builtin:cornell", "--use", "no_such_technique", "-o", picture},
         {"reference", "builtin:cornell", "--size", "-1x5", "-o", picture},
-        {"reference", "builtin:cornell", "-o", (out / "truth.bmp").string()},
+        {"reference", "builtin:cornell", "-o", (out.path() / "truth.bmp").string()},
         {"reference", "builtin:cornell", "--view", "no such view", "-o", picture},
     };
     for (const auto& command : commands) {
         SCOPED_TRACE(::testing::PrintToString(command));
         expect_refused(run_luxel(command), 2);
-        EXPECT_TRUE(out.empty());
+        EXPECT_TRUE(std::filesystem::is_empty(out.path()));
     }
 }
 
 TEST(CommandLine, SizesThatDoNotFitAreCodeFive) {
     const TemporaryFolder out;
-    const std::string all = "16384x16384", picture = (out / "p.exr").string();
+    const std::string all = "16384x16384", picture = (out.path() / "p.exr").string();
     std::vector<std::string> command = {"reference", "builtin:cornell", "--size", all, "-o", picture};
     // 170 GB and more for the six of them.
     for (const char* c : {"direct", "diffuse1", "diffuse", "specular", "full", "ao"})
         command.insert(command.end(), {"--component", c});
     expect_refused(run_luxel(command), 5);
-    EXPECT_TRUE(out.empty());
+    EXPECT_TRUE(std::filesystem::is_empty(out.path()));
 }
 
 TEST(CommandLine, UnknownNamesListTheKnownOnes) {
     const TemporaryFolder out;
-    const std::string picture = (out / "p.png").string();
+    const std::string picture = (out.path() / "p.png").string();
     const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
         {{"evaluat"}, "evaluate"},
         {{"render", "builtin:cornell", "--use", "none", "-o", picture}, "known"},
@@ -168,12 +168,15 @@ TEST(CommandLine, UnknownNamesListTheKnownOnes) {
 // Beneath a regular file nobody can make anything, not even root.
 TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
     const TemporaryFolder folder;
-    spill(folder / "file", "");
-    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder / "file/result").string()}), 6);
-    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder / "file").string()}), 6);
-    expect_refused(run_luxel({"render", "builtin:cornell", "-o", (folder / "file/p.png").string()}), 6);
-    expect_refused(run_luxel({"reference", "builtin:cornell", "-o", (folder / "none/p.exr").string()}), 6);
-    EXPECT_EQ(slurp(folder / "file"), "");
+    spill(folder.path() / "file", "");
+    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder.path() / "file/result").string()}),
+                   6);
+    expect_refused(run_luxel({"evaluate", "builtin:cornell", "-o", (folder.path() / "file").string()}), 6);
+    expect_refused(run_luxel({"render", "builtin:cornell", "-o", (folder.path() / "file/p.png").string()}),
+                   6);
+    expect_refused(run_luxel({"reference", "builtin:cornell", "-o", (folder.path() / "none/p.exr").string()}),
+                   6);
+    EXPECT_EQ(slurp(folder.path() / "file"), "");
 }
 
 TEST(CommandLine, HelpAndVersionSucceed) {

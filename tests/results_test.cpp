@@ -82,15 +82,18 @@ protected:
                                               "4",
                                               "--quiet",
                                               "--cache",
-                                              (folder_ / "cache").string(),
+                                              (folder_.path() / "cache").string(),
                                               "-o",
-                                              (folder_ / name).string()};
+                                              (folder_.path() / name).string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run_luxel(arguments);
     }
-    Json results(const std::string& name) { return Json::parse(slurp(folder_ / name / "results.json")); }
+    Json results(const std::string& name) {
+        return Json::parse(slurp(folder_.path() / name / "results.json"));
+    }
     std::filesystem::path cached_file() {
-        for (const auto& entry : std::filesystem::directory_iterator(folder_ / "cache")) return entry.path();
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "cache"))
+            return entry.path();
         return {};
     }
     TemporaryFolder folder_;
@@ -128,14 +131,14 @@ TEST_F(ResultsTest, MeanIsTheMeanOfTheViews) {
 
 TEST_F(ResultsTest, BesideThemAreReportAndImages) {
     ASSERT_EQ(evaluate("a").code, 0);
-    const std::string page = slurp(folder_ / "a" / "report.html");
+    const std::string page = slurp(folder_.path() / "a" / "report.html");
     EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
     // Self-contained: nothing is fetched.
     for (const char* fetch : {"src=\"http", "href=\"http", "url(http", "@import"})
         EXPECT_EQ(page.find(fetch), std::string::npos) << fetch;
 
     const std::string view = results("a").at("views")[0].at("name");
-    const std::filesystem::path images = folder_ / "a" / "images" / view;
+    const std::filesystem::path images = folder_.path() / "a" / "images" / view;
     for (const char* name : {"reference", "direct", "isr_samples_24"})
         for (const char* ending : {".exr", ".png"})
             EXPECT_TRUE(std::filesystem::exists(images / (std::string(name) + ending)));
@@ -180,7 +183,7 @@ TEST_F(ResultsTest, ADamagedCacheIsRebuiltWithAWarning) {
 
 TEST(Diff, RefusesImagesOfOtherSizeOrKind) {
     const TemporaryFolder folder;
-    const auto file = [&](const char* name) { return (folder / name).string(); };
+    const auto file = [&](const char* name) { return (folder.path() / name).string(); };
     for (const auto& [name, size] : {std::pair("a.png", "16x16"), {"b.png", "16x8"}, {"a.exr", "16x16"}})
         ASSERT_EQ(
             run_luxel({"reference", "builtin:cornell", "--size", size, "--spp", "1", "-o", file(name)}).code,

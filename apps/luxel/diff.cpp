@@ -18,16 +18,19 @@ struct Options {
     std::string reference, image, baseline, output, layer;
 };
 
-Json to_json(const FlipResult& flip) {
-    return {{"mean", flip.mean}, {"weighted_median", flip.weighted_median}, {"max", flip.max}};
+Json to_json(const FlipResult& flip, double evaluator_mean) {
+    return {{"mean", flip.mean},
+            {"evaluator_mean", evaluator_mean},
+            {"weighted_median", flip.weighted_median},
+            {"max", flip.max}};
 }
 
 Json to_json(const Difference& d, bool against_baseline) {
     const Figures& f = d.figures;
     Json json = {{"delta", f.delta},   {"rho", f.rho},   {"rmse", f.rmse},
                  {"relmse", f.relmse}, {"psnr", f.psnr}, {"ssim", f.ssim}};
-    json["flip"] = to_json(d.flip);
-    if (d.flip_hdr) json["flip_hdr"] = to_json(*d.flip_hdr);
+    json["flip"] = to_json(d.flip, d.evaluator_flip);
+    if (d.flip_hdr) json["flip_hdr"] = to_json(*d.flip_hdr, d.evaluator_flip_hdr);
     json["exposure"] = d.exposure;
     if (against_baseline)
         json.update({{"gain", f.gain}, {"improved", f.improved}, {"tied", f.tied}, {"quality", f.quality}});
@@ -74,6 +77,7 @@ void add_diff(CLI::App& app, const Global& global) {
     command->footer(
         "Radiance is shown under the reference's exposure (98th percentile of luminance to white) for every\n"
         "metric but rmse, relmse and flip_hdr. A layer 'mask' in the reference leaves pixels out.\n"
+        "evaluator_mean: FLIP's map added up in single precision, as the published evaluator does.\n"
         "Example: luxel diff truth.exr picture.exr --baseline direct.exr -o difference.png");
     command->callback([o, &global] { run(*o, global); });
 }

@@ -21,8 +21,10 @@ struct Difference {
     Figures figures; // against the baseline when there is one
     FlipResult flip; // LDR, on display values, whole image
     std::optional<FlipResult> flip_hdr;
-    float exposure = 1; // of the display values; 1 for display-referred files
-    Image picture;      // negative difference of display values
+    double evaluator_flip = 0,
+           evaluator_flip_hdr = 0; // the maps' means as the published evaluator adds them up
+    float exposure = 1;            // of the display values; 1 for display-referred files
+    Image picture;                 // negative difference of display values
 };
 // Error Fault::bad_input: sizes or kinds differ.
 Difference difference(const std::filesystem::path& reference, const std::filesystem::path& image,

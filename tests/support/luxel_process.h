@@ -7,35 +7,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <sys/wait.h>
 
+#include "support/temporary_folder.h"
+
 namespace luxel::testing {
-
-// A folder that goes away with the test.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::random_device random;
-        path_ = std::filesystem::temp_directory_path() / ("luxel-test-" + std::to_string(random()));
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-    bool empty() const { return std::filesystem::is_empty(path_); }
-
-private:
-    std::filesystem::path path_;
-};
 
 inline std::string slurp(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -60,13 +39,14 @@ inline ProcessResult run_luxel(const std::vector<std::string>& arguments) {
     };
     std::string command = quoted(LUXEL_BINARY_DIR "/luxel");
     for (const std::string& argument : arguments) command += " " + quoted(argument);
-    command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "error").string());
+    command +=
+        " >" + quoted((folder.path() / "out").string()) + " 2>" + quoted((folder.path() / "error").string());
 
     ProcessResult result;
     const int status = std::system(command.c_str());
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    result.out = slurp(folder / "out");
-    result.error = slurp(folder / "error");
+    result.out = slurp(folder.path() / "out");
+    result.error = slurp(folder.path() / "error");
     return result;
 }
 
