@@ -10,7 +10,9 @@ namespace luxel::app {
 // Options that every subcommand takes.
 struct Global {
     bool strict = false, quiet = false, json = false;
-    int threads = 0; // of the CPU; 0 = all
+    int threads = 0;         // of the CPU; 0 = all
+    std::string environment; // see LoadOptions
+    float environment_scale = 1.0f;
 };
 
 void add_evaluate(CLI::App& app, const Global& global);

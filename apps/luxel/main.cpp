@@ -63,6 +63,11 @@ int run(int argc, char** argv) {
     app.add_flag("--quiet", global.quiet, "No progress on stderr");
     app.add_flag("--json", global.json, "Print figures as JSON");
 
+    app.add_option("--environment", global.environment,
+                   "Light from a sky instead of the scene's own: 'sky', or an equirectangular .hdr or .exr");
+    app.add_option("--environment-scale", global.environment_scale, "Factor on --environment")
+        ->check(CLI::Range(0.0, 1e6));
+
     // The limit lives as long as the work does.
     std::optional<tbb::global_control> limit;
     app.add_option("--threads", global.threads, "CPU threads; 0 = all")->check(CLI::Range(0, 1024));

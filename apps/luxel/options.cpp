@@ -50,7 +50,9 @@ void print_warnings(const std::vector<std::string>& warnings) {
 }
 
 Scene load(const std::string& source, const Global& global) {
-    Scene scene = load_scene(source, {.strict = global.strict});
+    Scene scene = load_scene(source, {.strict = global.strict,
+                                      .environment = global.environment,
+                                      .environment_scale = global.environment_scale});
     print_warnings(scene.warnings);
     return scene;
 }

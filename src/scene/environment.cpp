@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/error.h"
 
 namespace luxel {
@@ -117,6 +119,20 @@ float EnvironmentSampler::pdf(glm::vec3 direction) const {
     const glm::vec2 uv = environment_uv(*environment_, direction);
     const int x = texel_index(uv.x, map.width), y = texel_index(uv.y, map.height);
     return importance(*environment_, x, y) * environment_->scale / float(power_);
+}
+
+Image environment_map(const Image& stored, const std::string& file, std::vector<std::string>& warnings) {
+    Image map(stored.width, stored.height, 3);
+    std::size_t negative = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const glm::vec3 color = stored.rgb(x, y);
+            if (color.r < 0.0f || color.g < 0.0f || color.b < 0.0f) ++negative;
+            map.set_rgb(x, y, glm::max(color, glm::vec3(0.0f)));
+        }
+    if (negative > 0)
+        warnings.push_back(fmt::format("{}: {} texels are negative and count as black", file, negative));
+    return map;
 }
 
 } // namespace luxel

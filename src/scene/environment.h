@@ -2,6 +2,7 @@
 // Environment maps: mapping between directions and texels, and sampling by importance.
 // The radiance is constant within a texel, exactly as evaluate() reads it.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -11,6 +12,9 @@ namespace luxel {
 // Unit direction of map coordinates in [0, 1]^2, with the environment's rotation applied, and back.
 glm::vec3 environment_direction(const Environment& environment, glm::vec2 uv);
 glm::vec2 environment_uv(const Environment& environment, glm::vec3 direction);
+
+// Any decoded picture as a map: three channels, negative texels black (with a warning that names `file`).
+Image environment_map(const Image& stored, const std::string& file, std::vector<std::string>& warnings);
 
 // Solid angle of any texel of row y.
 float texel_solid_angle(const Environment& environment, int y);

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "core/error.h"
+#include "core/image_io.h"
+#include "scene/environment.h"
 #include "scene/gltf/gltf.h"
 #include "scene/lights.h"
 #include "scene/obj.h"
@@ -32,6 +34,20 @@ bool emits(const Scene& scene) {
            !emissive_triangles(scene).empty();
 }
 
+Environment default_sky() { return gradient_sky({0.9f, 0.95f, 1.0f}, {0.3f, 0.5f, 0.9f}, glm::vec3(0.2f)); }
+
+void replace_environment(Scene& scene, const LoadOptions& options) {
+    if (options.environment.empty()) return;
+    if (options.environment == "sky") {
+        scene.environment = default_sky();
+    } else {
+        scene.environment = {};
+        scene.environment.radiance =
+            environment_map(read_image(options.environment), options.environment, scene.warnings);
+    }
+    scene.environment.scale = options.environment_scale;
+}
+
 // Something to see the scene from and something to see it by.
 void add_defaults(Scene& scene, const std::string& source) {
     if (scene.cameras.empty()) {
@@ -40,7 +56,7 @@ void add_defaults(Scene& scene, const std::string& source) {
             fmt::format("{}: the scene has no camera; three views from outside are used", source));
     }
     if (!emits(scene)) {
-        scene.environment = gradient_sky({0.9f, 0.95f, 1.0f}, {0.3f, 0.5f, 0.9f}, glm::vec3(0.2f));
+        scene.environment = default_sky();
         scene.warnings.push_back(fmt::format(
             "{}: the scene has no light; a sky from (0.9, 0.95, 1) at the horizon to (0.3, 0.5, 0.9) at "
             "the zenith, over a ground of 0.2, is used",
@@ -62,6 +78,7 @@ Scene load_geometry(const std::string& source, const LoadOptions& options) {
 Scene load_scene(const std::string& source, const LoadOptions& options) {
     const bool wrapped = !source.starts_with(builtin_prefix) && lower_case_extension(source) == ".toml";
     Scene scene = wrapped ? load_scene_file(source, options) : load_geometry(source, options);
+    replace_environment(scene, options);
     validate_scene(scene, source);
     add_defaults(scene, source);
     return scene;

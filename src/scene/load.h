@@ -11,6 +11,10 @@ namespace luxel {
 
 struct LoadOptions {
     bool strict = false; // a substitute (missing texture) is an error instead of a warning
+    // Replaces the scene's environment when not empty: "sky" (the default gradient) or an equirectangular
+    // .hdr, .exr, .png or .jpg file.
+    std::string environment;
+    float environment_scale = 1.0f; // factor on that environment
 };
 
 // Validated: every index in range, every number finite, at least one triangle, at least one camera and at

@@ -35,6 +35,18 @@ TEST(Load, UnknownExtensionListsTheSupportedOnes) {
     }
 }
 
+TEST(Load, EnvironmentCanBeReplaced) {
+    const Scene sky = load_scene("builtin:cornell", {.environment = "sky", .environment_scale = 2.0f});
+    EXPECT_NEAR(evaluate(sky.environment, {0, 1, 0}).b, 1.8f, 0.02f);
+    try {
+        load_scene("builtin:cornell", {.environment = "absent.hdr"});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::io);
+        EXPECT_NE(std::string(error.what()).find("absent.hdr"), std::string::npos);
+    }
+}
+
 // An OBJ has neither cameras nor a light unless a material emits; its extension may be in capitals.
 TEST(Load, StatesItsDefaults) {
     const std::filesystem::path folder = std::filesystem::path(LUXEL_BINARY_DIR) / "load_test";

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/file.h"
+#include "scene/environment.h"
 #include "scene/lights.h"
 #include "scene/printable.h"
 #include "scene/scene_file_objects.h"
@@ -217,23 +218,11 @@ Camera read_camera(Section& section, std::size_t number) {
     return camera;
 }
 
-// Any stored map as three channels of non-negative radiance.
 Image read_map(Section& section, const Folder& folder, const std::string& file,
                std::vector<std::string>& warnings) {
     const auto bytes = folder.read(file, max_map_bytes);
     if (!bytes) section.reject("file", fmt::format("\"{}\" does not exist", printable(file)));
-    const Image stored = decode_hdr(*bytes, (folder.root() / file).string());
-    Image map(stored.width, stored.height, 3);
-    std::size_t negative = 0;
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) {
-            const glm::vec3 color = stored.rgb(x, y);
-            if (color.r < 0.0f || color.g < 0.0f || color.b < 0.0f) ++negative;
-            map.set_rgb(x, y, glm::max(color, glm::vec3(0.0f)));
-        }
-    if (negative > 0)
-        warnings.push_back(fmt::format("{}: {} texels are negative and count as black", file, negative));
-    return map;
+    return environment_map(decode_hdr(*bytes, (folder.root() / file).string()), file, warnings);
 }
 
 Environment read_environment(Section& section, const Folder& folder, std::vector<std::string>& warnings) {
