@@ -72,7 +72,7 @@ void repair_normals(Mesh& mesh) {
 }
 
 void make_tangents(Mesh& mesh, int set, const glm::mat3& uv_transform) {
-    // Texture axes of each face, in the plane of the face [Lengyel2001]; a face weighs with its area.
+    // Texture axes of each face, in the plane of the face; a face weighs with its area.
     std::vector<glm::dvec3> along_u(mesh.positions.size(), glm::dvec3(0.0)), along_v = along_u;
     const auto& uvs = mesh.texcoords[set];
     for (std::size_t i = 0; !uvs.empty() && i < mesh.indices.size(); i += 3) {

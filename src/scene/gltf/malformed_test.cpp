@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Damaged and hostile glTF files: one sentence that names the place, the right fault, no memory taken on
 // their word.
+#include <fstream>
 #include <limits>
+#include <random>
 
 #include "scene/gltf/json.h"
 #include "scene/gltf/test_gltf.h"
@@ -269,6 +271,34 @@ TEST(GltfMalformed, NothingToShow) {
     TestGltf bare;
     bare.json = {{"asset", {{"version", "2.0"}}}};
     EXPECT_CONTAINS(error_of(bare), "the scene has no triangles");
+}
+
+// Random damage to a sound file, the same in every run: it loads or ends with a sentence.
+TEST(GltfMalformed, RandomDamage) {
+    TestGltf file;
+    file.primitive()["indices"] = file.add_accessor<std::uint16_t>({0, 1, 2}, 3, "SCALAR", 5123);
+    file.attributes()["TEXCOORD_0"] = file.add_vectors<2>({{0, 0}, {1, 0}, {0, 1}});
+    file.material() = {{"emissiveFactor", {1, 1, 1}}, {"doubleSided", true}};
+    const auto whole = file.glb();
+    std::mt19937 random(1);
+    int loaded = 0, refused = 0;
+    for (int run = 0; run < 600; ++run) {
+        auto bytes = whole;
+        for (int change = 0; change <= run % 3; ++change)
+            bytes[random() % bytes.size()] = std::uint8_t(random());
+        const auto path = file.folder.path() / "damaged.glb";
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        try {
+            load_gltf(path);
+            ++loaded;
+        } catch (const Error& error) {
+            ++refused;
+            EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos) << error.what();
+        }
+    }
+    EXPECT_GT(loaded, 20);
+    EXPECT_GT(refused, 200);
 }
 
 TEST(GltfMalformed, NamesDoNotReachTheTerminalRaw) {
