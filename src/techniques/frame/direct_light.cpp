@@ -93,7 +93,7 @@ void DirectLight::add(gpu::Recorder& recorder, const Frame& frame, const ShadowM
     LUXEL_ASSERT(!batch.empty(), "layers={}", maps.layers());
     std::vector<shared::ShadowView> views;
     for (const FittedLight& l : batch) views.insert(views.end(), l.views.begin(), l.views.end());
-    const gpu::Image& shadow_maps = maps.draw(recorder, *frame.scene, views, options_.esm_exponent);
+    gpu::Image shadow_maps = maps.draw(recorder, *frame.scene, views, options_.esm_exponent);
 
     shared::DirectParams p{.view = frame.view,
                            .mode = shared::uint(options_.shadow),

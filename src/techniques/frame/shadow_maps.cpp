@@ -68,6 +68,12 @@ shared::ShadowView directional_view(const shared::ShadowedLight& light, const Bo
     return v;
 }
 
+// What this batch has written of an array.
+gpu::Image first_layers(gpu::Image array, std::uint32_t count) {
+    array.layer_count = count;
+    return array;
+}
+
 } // namespace
 
 int shadow_map_count(const shared::Light& light) {
@@ -125,8 +131,8 @@ std::vector<gpu::Image> ShadowMaps::images() const {
     return {depth_, filtered_};
 }
 
-const gpu::Image& ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
-                                   const std::vector<shared::ShadowView>& views, float esm_exponent) const {
+gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
+                            const std::vector<shared::ShadowView>& views, float esm_exponent) const {
     LUXEL_ASSERT(int(views.size()) <= layers(), "views={} layers={}", views.size(), layers());
 
     // Both sides cast shadows, so nothing is culled by orientation.
@@ -144,17 +150,19 @@ const gpu::Image& ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scen
         recorder.draw("frame/shadow_mask", pass, m, scene.vertex_bindings(MaterialUse::alpha),
                       scene.indices(), masked);
     }
-    if (mode_ != ShadowMode::esm) return depth_;
+    gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
+    if (mode_ != ShadowMode::esm) return first_layers(depth_, threads.z);
 
     // Blur of exp(c z) along x, then y.
     shared::EsmParams p{
         .direction = {1, 0}, .exponent = esm_exponent, .maps = int(views.size()), .reversed = 1};
     std::copy(views.begin(), views.end(), p.views);
-    gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
-    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", depth_}, {"to", temporary_}});
+    gpu::Image depth = first_layers(depth_, threads.z), temporary = first_layers(temporary_, threads.z),
+               filtered = first_layers(filtered_, threads.z);
+    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", depth}, {"to", temporary}});
     p.direction = {0, 1}, p.reversed = 0;
-    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", temporary_}, {"to", filtered_}});
-    return filtered_;
+    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", temporary}, {"to", filtered}});
+    return filtered;
 }
 
 } // namespace luxel

@@ -31,10 +31,10 @@ public:
     int size() const { return int(depth_.width()); }
     int layers() const { return int(depth_.info().layers); }
 
-    // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result is what
-    // frame/direct.comp reads.
-    const gpu::Image& draw(gpu::Recorder& recorder, const GpuScene& scene,
-                           const std::vector<shared::ShadowView>& views, float esm_exponent) const;
+    // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result, as many
+    // layers as views, is what frame/direct.comp reads.
+    gpu::Image draw(gpu::Recorder& recorder, const GpuScene& scene,
+                    const std::vector<shared::ShadowView>& views, float esm_exponent) const;
     std::vector<gpu::Image> images() const;
 
 private:
