@@ -64,7 +64,7 @@ Bounds world_bounds(const Bounds& box, const glm::mat4& transform) {
     return world;
 }
 
-shared::TextureRecord texture_record(const Scene& scene, const TextureUse& use) {
+shared::TextureRecord texture_record(const Scene& scene, const TextureUse& use, bool mipmaps) {
     shared::TextureRecord r{};
     if (use.texture < 0) return r;
     const Texture& texture = scene.textures[std::size_t(use.texture)];
@@ -74,6 +74,7 @@ shared::TextureRecord texture_record(const Scene& scene, const TextureUse& use) 
     r.wrap_u = shared::uint(texture.wrap_u), r.wrap_v = shared::uint(texture.wrap_v);
     r.set = shared::uint(use.set);
     r.present = 1;
+    if (!mipmaps) r.filter_mode = texture.nearest ? shared::FILTER_NEAREST : shared::FILTER_BILINEAR;
     return r;
 }
 static_assert(shared::uint(Wrap::repeat) == shared::WRAP_REPEAT &&
@@ -98,7 +99,7 @@ constexpr TextureSlot texture_slots[] = {
     {"transmission_texture", &Material::transmission_texture, &shared::MaterialRecord::transmission_texture},
 };
 
-shared::MaterialRecord material_record(const Scene& scene, const Material& m) {
+shared::MaterialRecord material_record(const Scene& scene, const Material& m, bool mipmaps) {
     shared::MaterialRecord r{};
     r.base_color = m.base_color;
     r.emission = m.emission;
@@ -110,7 +111,8 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m) {
     if (m.alpha_mode != AlphaMode::opaque)
         r.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.5f;
     r.double_sided = m.double_sided ? 1 : 0;
-    for (const TextureSlot& slot : texture_slots) r.*slot.record = texture_record(scene, m.*slot.use);
+    for (const TextureSlot& slot : texture_slots)
+        r.*slot.record = texture_record(scene, m.*slot.use, mipmaps);
     return r;
 }
 
@@ -187,7 +189,7 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
     gpu::Image no_texture = gpu.upload_image({.format = VK_FORMAT_R8G8B8A8_UNORM}, white, "no texture");
     std::vector<gpu::Image> textures(scene_->textures.size());
     for (const Material& m : scene_->materials) {
-        shared::MaterialRecord record = material_record(*scene_, m);
+        shared::MaterialRecord record = material_record(*scene_, m, mipmaps);
         MaterialOnGpu on_gpu{.masked = m.alpha_mode != AlphaMode::opaque};
         on_gpu.all.push_back(
             {"material", gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)});

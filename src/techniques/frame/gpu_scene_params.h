@@ -22,7 +22,11 @@ struct TextureRecord {
     uint wrap_u, wrap_v; // WRAP_*
     uint set;
     uint present;
+    uint filter_mode; // FILTER_*
 };
+LUXEL_CONST uint FILTER_SAMPLER = 0u;  // as the sampler does it, with mips
+LUXEL_CONST uint FILTER_BILINEAR = 1u; // in the shader, at 32 bits: samplers may round to 8
+LUXEL_CONST uint FILTER_NEAREST = 2u;
 LUXEL_CONST uint WRAP_REPEAT = 0u;
 LUXEL_CONST uint WRAP_CLAMP = 1u;
 LUXEL_CONST uint WRAP_MIRROR = 2u;

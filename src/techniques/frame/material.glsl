@@ -7,10 +7,31 @@
 layout(set = 1, binding = 0, scalar) uniform material { MaterialRecord m; };
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
 
+ivec2 wrap_texel(ivec2 texel, TextureRecord use) {
+    ivec2 size = ivec2(use.size);
+    ivec2 around = (texel + size) % size, inside = clamp(texel, ivec2(0), size - 1);
+    return ivec2(use.wrap_u == WRAP_REPEAT ? around.x : inside.x, use.wrap_v == WRAP_REPEAT ? around.y : inside.y);
+}
+
+// Mip 0 exactly as sample_texture in scene/surface.cpp reads it. uv: folded, or repeating within [0, 1).
+vec4 exact_texel(sampler2D image, TextureRecord use, vec2 uv) {
+    if (use.filter_mode == FILTER_NEAREST)
+        return texelFetch(image, wrap_texel(ivec2(floor(uv * use.size)), use), 0);
+    vec2 x = uv * use.size - 0.5;
+    ivec2 corner = ivec2(floor(x));
+    vec2 f = x - vec2(corner);
+    vec4 top = mix(texelFetch(image, wrap_texel(corner, use), 0),
+                   texelFetch(image, wrap_texel(corner + ivec2(1, 0), use), 0), f.x);
+    vec4 bottom = mix(texelFetch(image, wrap_texel(corner + ivec2(0, 1), use), 0),
+                      texelFetch(image, wrap_texel(corner + ivec2(1, 1), use), 0), f.x);
+    return mix(top, bottom, f.y);
+}
+
 // The mip level follows the coordinates before folding, which have no seams.
 vec4 look_up(sampler2D image, TextureRecord use, vec2 uv0, vec2 uv1) {
     vec3 uv = vec3(use.set == 0u ? uv0 : uv1, 1.0);
     vec2 t = vec2(dot(use.u_row, uv), dot(use.v_row, uv));
     vec2 wrapped = vec2(wrap_coordinate(t.x, use.size.x, use.wrap_u), wrap_coordinate(t.y, use.size.y, use.wrap_v));
-    return textureGrad(image, wrapped, dFdx(t), dFdy(t));
+    if (use.filter_mode == FILTER_SAMPLER) return textureGrad(image, wrapped, dFdx(t), dFdy(t));
+    return exact_texel(image, use, fract(wrapped));
 }
