@@ -52,9 +52,9 @@ Scene floor_scene() {
 
 Environment uniform_environment(glm::vec3 radiance) {
     Environment e;
-    e.radiance = Image(8, 4, 3);
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 8; ++x) e.radiance.set_rgb(x, y, radiance);
+    e.radiance = Image(64, 32, 3);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) e.radiance.set_rgb(x, y, radiance);
     return e;
 }
 
@@ -81,34 +81,38 @@ GBufferError gbuffer_error(const Scene& scene, const RenderResult& frame) {
             float z = *frame.images.at("depth").at(x, y);
             EXPECT_EQ(*frame.mask.at(x, y), z > 0.0f ? 1.0f : 0.0f);
             if (!found && z == 0.0f) continue;
-            if (!found || std::abs(z - hit.t) > 0.01f * hit.t) {
+            // On an edge the rasterizer's pixel grid (1/256) may choose the other surface.
+            Surface s = found ? surface_at(scene, hit, ray.direction) : Surface{};
+            glm::vec3 toward_eye = s.geometric_normal * (s.front ? 1.0f : -1.0f);
+            if (!found || std::abs(z - hit.t) > 0.01f * hit.t ||
+                angle(frame.images.at("geometric_normal").rgb(x, y), toward_eye) > 0.1f) {
                 ++e.different;
                 continue;
             }
-            Surface s = surface_at(scene, hit, ray.direction);
             float side = s.front ? 1.0f : -1.0f;
             ++e.compared;
             e.depth += std::abs(z - hit.t) / hit.t;
             e.normal += angle(frame.images.at("normal").rgb(x, y), s.normal * side);
-            e.geometric += angle(frame.images.at("geometric_normal").rgb(x, y), s.geometric_normal * side);
+            e.geometric += angle(frame.images.at("geometric_normal").rgb(x, y), toward_eye);
             e.albedo += glm::length(frame.images.at("diffuse").rgb(x, y) - s.brdf.diffuse);
         }
     e.depth /= e.compared, e.normal /= e.compared, e.geometric /= e.compared, e.albedo /= e.compared;
     return e;
 }
 
-// Half floats keep 11 bits: 5e-4 relative at most, truncated 2.5e-4 in the mean of a component.
+// Half floats keep 11 bits: up to 4.9e-4 of a component below 1 where stores truncate, sqrt(3) times that of
+// a vector.
 TEST_F(FrameTest, GBufferEqualsRayCasting) {
     for (const Scene& scene : {cornell(), shapes(ShapesLight::point)}) {
         RenderResult frame =
             render(scene, {.mipmaps = false}, {.images = {"depth", "normal", "geometric_normal", "diffuse"}});
         GBufferError e = gbuffer_error(scene, frame);
         EXPECT_GT(e.compared, 160 * 120 / 2) << scene.name;
-        EXPECT_LE(e.different, e.compared / 500) << scene.name;
+        EXPECT_LE(e.different, e.compared / 200) << scene.name;
         EXPECT_LT(e.depth, 1e-5) << scene.name;
         EXPECT_LT(e.normal, 1e-3) << scene.name;
         EXPECT_LT(e.geometric, 2e-3) << scene.name;
-        EXPECT_LT(e.albedo, 5e-4) << scene.name;
+        EXPECT_LT(e.albedo, 8.5e-4) << scene.name;
     }
 }
 
@@ -170,17 +174,17 @@ TEST_F(FrameTest, ShadowsOfARoofAreDarkAndSoftAtTheBorderOnly) {
     sun.intensity = glm::vec3(shared::PI);
     scene.lights = {sun};
     for (ShadowMode mode : {ShadowMode::hard, ShadowMode::pcf, ShadowMode::esm}) {
-        RenderResult frame = render(scene, {.shadow = mode, .shadow_size = 128}, {.width = 64, .height = 1});
+        RenderResult frame = render(scene, {.shadow = mode, .shadow_size = 64}, {.width = 64, .height = 64});
         float before = 0.0f, steepest = 0.0f;
         for (int x = 0; x < 64; ++x) {
-            float v = frame.radiance.at(x, 0)[0];
+            float v = frame.radiance.at(x, 32)[0];
             EXPECT_GE(v, before - 1e-3f)
                 << int(mode) << " at " << x; // rises from the roof's side to the open
             steepest = std::max(steepest, v - before);
             before = v;
         }
-        EXPECT_LT(frame.radiance.at(0, 0)[0], 0.01f) << int(mode);
-        EXPECT_NEAR(frame.radiance.at(63, 0)[0], 1.0f, 1e-3f) << int(mode);
+        EXPECT_LT(frame.radiance.at(0, 32)[0], 0.01f) << int(mode);
+        EXPECT_NEAR(frame.radiance.at(63, 32)[0], 1.0f, 1e-3f) << int(mode);
         if (mode == ShadowMode::hard)
             EXPECT_GT(steepest, 0.99f);
         else
