@@ -13,37 +13,47 @@ std::size_t find_in(const std::vector<float>& cumulative, float u) {
 
 LightSampler::LightSampler(const Scene& scene)
     : scene_(&scene), environment_(scene.environment), pdf_(scene.instances.size()) {
-    // Black triangles would only waste samples.
-    for (const EmissiveTriangle& t : emissive_triangles(scene))
-        if (t.area > 0.0f && luminance(t.emission) > 0.0f) emitters_.push_back(t);
-
-    // Power of each, summed in double: there may be millions.
+    // Power of each, summed in double: there may be millions. Black triangles would only waste samples.
     std::vector<double> power;
     double total = 0.0;
-    for (const EmissiveTriangle& t : emitters_) {
-        power.push_back(double(luminance(t.emission)) * double(t.area) * (t.two_sided ? 2.0 : 1.0));
-        total += power.back();
+    for (const EmissiveTriangle& t : emissive_triangles(scene)) {
+        double p = double(luminance(t.emission)) * double(t.area) * (t.two_sided ? 2.0 : 1.0);
+        if (!(p > 0.0)) continue;
+        const Mesh& mesh = scene.meshes[std::size_t(scene.instances[std::size_t(t.instance)].mesh)];
+        bool textured = scene.materials[std::size_t(mesh.material)].emission_texture.texture >= 0;
+        glm::vec3 largest = glm::max(glm::max(glm::abs(t.a), glm::abs(t.b)), glm::abs(t.c));
+        emitters_.push_back(
+            {t, 0.0f, clearance(std::max(std::max(largest.x, largest.y), largest.z)), textured});
+        power.push_back(p);
+        total += p;
     }
     double sum = 0.0;
     for (std::size_t i = 0; i < emitters_.size(); ++i) {
-        const EmissiveTriangle& t = emitters_[i];
+        const EmissiveTriangle& t = emitters_[i].triangle;
         sum += power[i];
         cumulative_.push_back(float(sum / total));
         float before = i > 0 ? cumulative_[i - 1] : 0.0f;
-        area_pdf_.push_back((cumulative_[i] - before) / t.area); // of the rounded table that is sampled
+        emitters_[i].area_pdf = (cumulative_[i] - before) / t.area; // of the rounded table that is sampled
 
         std::vector<float>& of_instance = pdf_[std::size_t(t.instance)];
         if (of_instance.empty()) {
             const Instance& instance = scene.instances[std::size_t(t.instance)];
             of_instance.resize(scene.meshes[std::size_t(instance.mesh)].indices.size() / 3);
         }
-        of_instance[t.triangle] = area_pdf_.back();
+        of_instance[t.triangle] = emitters_[i].area_pdf;
     }
 }
 
-LightArrival LightSampler::sample_emitters(glm::vec3 from, float choice, glm::vec2 u) const {
-    std::size_t i = find_in(cumulative_, choice);
-    const EmissiveTriangle& t = emitters_[i];
+std::size_t LightSampler::choose_emitter(float u) const {
+    std::size_t i = find_in(cumulative_, u);
+    const char* lines = reinterpret_cast<const char*>(&emitters_[i]);
+    __builtin_prefetch(lines), __builtin_prefetch(lines + sizeof(Emitter) - 1);
+    return i;
+}
+
+LightArrival LightSampler::sample_emitter(std::size_t emitter, glm::vec3 from, glm::vec2 u) const {
+    const Emitter& e = emitters_[emitter];
+    const EmissiveTriangle& t = e.triangle;
     LightArrival arrival{{}, {}, false, glm::vec3(0.0f), 0.0f};
 
     // Uniform on the triangle [Shirley1997].
@@ -54,17 +64,16 @@ LightArrival LightSampler::sample_emitters(glm::vec3 from, float choice, glm::ve
     glm::vec3 d = point - from;
     float r2 = glm::dot(d, d);
     float facing = -glm::dot(t.normal, d);
-    if (r2 <= 0.0f || facing == 0.0f || (facing < 0.0f && !t.two_sided) || area_pdf_[i] <= 0.0f)
-        return arrival;
+    if (r2 <= 0.0f || facing == 0.0f || (facing < 0.0f && !t.two_sided) || e.area_pdf <= 0.0f) return arrival;
     float r = std::sqrt(r2);
     arrival.wi = d / r;
-    arrival.pdf = area_pdf_[i] * r2 * r / std::abs(facing);
-    arrival.radiance = emission_at(*scene_, std::uint32_t(t.instance), t.triangle, uv) / arrival.pdf;
+    arrival.pdf = e.area_pdf * r2 * r / std::abs(facing);
+    glm::vec3 emission =
+        e.textured ? emission_at(*scene_, std::uint32_t(t.instance), t.triangle, uv) : t.emission;
+    arrival.radiance = emission / arrival.pdf;
 
     // End the shadow ray in front of the emitter, clear of its own rounding.
-    glm::vec3 largest = glm::max(glm::max(glm::abs(t.a), glm::abs(t.b)), glm::abs(t.c));
-    float clear = clearance(std::max(std::max(largest.x, largest.y), largest.z));
-    arrival.target = point + t.normal * (facing > 0.0f ? clear : -clear);
+    arrival.target = point + t.normal * (facing > 0.0f ? e.clear : -e.clear);
     return arrival;
 }
 

@@ -27,8 +27,11 @@ public:
     bool has_environment() const { return !environment_.empty(); }
     std::size_t punctual_count() const { return scene_->lights.size(); }
 
-    // One point on the emissive triangles; radiance is 0 where it does not face `from`.
-    LightArrival sample_emitters(glm::vec3 from, float choice, glm::vec2 u) const;
+    // Chooses an emissive triangle by power. Known before the surface it will light: its data is fetched
+    // meanwhile.
+    std::size_t choose_emitter(float u) const;
+    // One point on it; radiance is 0 where it does not face `from`.
+    LightArrival sample_emitter(std::size_t emitter, glm::vec3 from, glm::vec2 u) const;
     LightArrival sample_environment(glm::vec2 u) const;
     LightArrival punctual(std::size_t light, glm::vec3 from) const;
     // Chances to choose among many punctual lights at a surface: cumulative, proportional to what each would
@@ -42,11 +45,16 @@ public:
 private:
     const Scene* scene_;
     EnvironmentSampler environment_;
-    std::vector<EmissiveTriangle> emitters_;
+    struct Emitter {
+        EmissiveTriangle triangle;
+        float area_pdf; // 1/m2
+        float clear;    // see clearance()
+        bool textured;  // the emission varies
+    };
+    std::vector<Emitter> emitters_;
     std::vector<float> cumulative_; // share of the power up to and with emitter i
-    std::vector<float> area_pdf_;   // 1/m2, per emitter
-    std::vector<std::vector<float>>
-        pdf_; // area_pdf_ by instance and triangle; empty for instances that do not emit
+    // area_pdf by instance and triangle; empty for instances that do not emit
+    std::vector<std::vector<float>> pdf_;
 };
 
 // Index of the element that `u` in [0, 1) falls on.

@@ -133,15 +133,14 @@ void PathTracer::add_punctual(const ShadingPoint& point, bool first, Random& ran
     }
 }
 
-BsdfValue PathTracer::direct_light(const ShadingPoint& point, bool first, Random& random) const {
+BsdfValue PathTracer::direct_light(const ShadingPoint& point, std::size_t emitter, bool first,
+                                   Random& random) const {
     BsdfValue sum;
     if (!point.has_smooth_lobes()) return sum;
     add_punctual(point, first, random, sum);
     if (options_.strategy == Strategy::bsdf_only) return sum;
-    if (lights_.has_emitters()) {
-        float choice = random.next();
-        add_arrival(point, lights_.sample_emitters(point.surface->position, choice, random.next2()), sum);
-    }
+    if (lights_.has_emitters())
+        add_arrival(point, lights_.sample_emitter(emitter, point.surface->position, random.next2()), sum);
     if (lights_.has_environment()) add_arrival(point, lights_.sample_environment(random.next2()), sum);
     return sum;
 }
@@ -209,6 +208,7 @@ void PathTracer::follow(Path& path) const {
     glm::vec3 from = path.ray.origin;
     while (true) {
         // What the ray meets: the environment, or a surface that may emit.
+        std::size_t emitter = lights_.has_emitters() ? lights_.choose_emitter(path.random.next()) : 0;
         Hit hit;
         if (!intersect(path.ray, hit)) {
             glm::vec3 met = environment_met(path.ray.direction, path.pdf);
@@ -230,7 +230,7 @@ void PathTracer::follow(Path& path) const {
                 path.result.diffuse1_unoccluded = unoccluded_bounce(point, path.random);
         }
         if (is_wanted(path)) {
-            BsdfValue lit = direct_light(point, path.vertex == 1, path.random);
+            BsdfValue lit = direct_light(point, emitter, path.vertex == 1, path.random);
             path.add(path.beta * lit.sum(), path.diffuse * lit.diffuse);
         } else if (!more_is_wanted(path)) {
             return;
@@ -295,7 +295,8 @@ glm::vec3 PathTracer::diffuse_reflection(const Surface& surface, glm::vec3 direc
     lambertian.transmission = 0.0f;
     ShadingPoint point(lambertian, direction);
     if (!point.has_smooth_lobes()) return glm::vec3(0.0f);
-    glm::vec3 sum = direct_light(point, false, random).diffuse;
+    std::size_t emitter = lights_.has_emitters() ? lights_.choose_emitter(random.next()) : 0;
+    glm::vec3 sum = direct_light(point, emitter, false, random).diffuse;
     if (!lights_.has_emitters() && !lights_.has_environment()) return sum;
 
     BsdfSample sample = sample_bsdf(point, random);

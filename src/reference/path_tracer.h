@@ -54,8 +54,9 @@ private:
     bool intersect(const Ray& ray, Hit& hit) const;
     bool occluded(const ShadingPoint& point, const LightArrival& light) const;
 
-    // Light from all sources that reaches `point` and is reflected to where its ray came from.
-    BsdfValue direct_light(const ShadingPoint& point, bool first, Random& random) const;
+    // Light from all sources (of the emitters, one that was chosen) that reaches `point` and is reflected to
+    // where its ray came from.
+    BsdfValue direct_light(const ShadingPoint& point, std::size_t emitter, bool first, Random& random) const;
     void add_arrival(const ShadingPoint& point, const LightArrival& light, BsdfValue& sum) const;
     void add_punctual(const ShadingPoint& point, bool first, Random& random, BsdfValue& sum) const;
     // Emission met by a ray that was drawn with density bsdf_pdf, with its MIS weight.

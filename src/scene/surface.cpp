@@ -65,19 +65,78 @@ const DecodeTables& decode_tables() {
     return tables;
 }
 
-glm::vec4 texel(const Texture& texture, const std::array<float, 256>& color, int x, int y) {
+const std::uint8_t* texel_address(const Texture& texture, int x, int y) {
     const Pixels8& p = texture.pixels;
-    const std::uint8_t* t = &p.rgba[(std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4];
+    return &p.rgba[(std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4];
+}
+
+glm::vec4 texel(const Texture& texture, const std::array<float, 256>& color, int x, int y) {
+    const std::uint8_t* t = texel_address(texture, x, y);
     return {color[t[0]], color[t[1]], color[t[2]], float(t[3]) * (1.0f / 255.0f)};
 }
 
-// The texture of one slot at the hit; white where the slot is empty.
-glm::vec4 look_up(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
-    if (use.texture < 0) return glm::vec4(1.0f);
+// The texels that a lookup will read. Finding them is apart from reading them because the first read of each
+// misses the cache: all are asked for at once, and fetched while geometry is computed.
+struct Footprint {
+    const Texture* texture = nullptr; // none: white
+    Taps x{}, y{};
+};
+
+Footprint footprint(const Texture& texture, glm::vec2 uv) {
+    return {&texture, taps(uv.x, texture.pixels.width, texture.wrap_u),
+            taps(uv.y, texture.pixels.height, texture.wrap_v)};
+}
+
+glm::vec4 filter(const Footprint& f) {
+    if (!f.texture) return glm::vec4(1.0f);
+    const DecodeTables& tables = decode_tables();
+    const std::array<float, 256>& color = f.texture->srgb ? tables.srgb : tables.linear;
+    if (f.texture->nearest)
+        return texel(*f.texture, color, f.x.weight < 0.5f ? f.x.first : f.x.second,
+                     f.y.weight < 0.5f ? f.y.first : f.y.second);
+    glm::vec4 top = glm::mix(texel(*f.texture, color, f.x.first, f.y.first),
+                             texel(*f.texture, color, f.x.second, f.y.first), f.x.weight);
+    glm::vec4 bottom = glm::mix(texel(*f.texture, color, f.x.first, f.y.second),
+                                texel(*f.texture, color, f.x.second, f.y.second), f.x.weight);
+    return glm::mix(top, bottom, f.y.weight);
+}
+
+// The footprint of one slot of a material at the hit.
+Footprint locate(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
+    if (use.texture < 0) return {};
     const std::vector<glm::vec2>& texcoords = mesh.texcoords[use.set];
     glm::vec2 uv = texcoords.empty() ? glm::vec2(0.0f) : interpolate(texcoords, corners);
-    glm::vec2 transformed = glm::vec2(use.transform * glm::vec3(uv, 1.0f));
-    return sample_texture(scene.textures[std::size_t(use.texture)], transformed);
+    Footprint f =
+        footprint(scene.textures[std::size_t(use.texture)], glm::vec2(use.transform * glm::vec3(uv, 1.0f)));
+    __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.first));
+    __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.second));
+    return f;
+}
+
+glm::vec4 look_up(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
+    return filter(locate(scene, mesh, corners, use));
+}
+
+struct MaterialFootprints {
+    MaterialFootprints(const Scene& scene, const Mesh& mesh, const Material& m, const Corners& k)
+        : base_color(locate(scene, mesh, k, m.base_color_texture)),
+          normal(locate(scene, mesh, k, m.normal_texture)),
+          metallic_roughness(locate(scene, mesh, k, m.metallic_roughness_texture)),
+          emission(locate(scene, mesh, k, m.emission_texture)),
+          specular(locate(scene, mesh, k, m.specular_texture)),
+          specular_color(locate(scene, mesh, k, m.specular_color_texture)),
+          transmission(locate(scene, mesh, k, m.transmission_texture)) {}
+    Footprint base_color, normal, metallic_roughness, emission, specular, specular_color, transmission;
+};
+
+template <class T> void prefetch(const std::vector<T>& values, const Corners& k) {
+    if (values.empty()) return;
+    for (std::uint32_t i : {k.a, k.b, k.c}) __builtin_prefetch(&values[i]);
+}
+
+void prefetch_vertices(const Mesh& mesh, const Corners& k) {
+    prefetch(mesh.texcoords[0], k), prefetch(mesh.positions, k), prefetch(mesh.normals, k);
+    prefetch(mesh.tangents, k), prefetch(mesh.colors, k);
 }
 
 // Rows are cross products of the columns: inverse transpose up to a positive factor, also for mirroring
@@ -89,14 +148,14 @@ glm::mat3 normal_matrix(const glm::mat4& transform, float& handedness) {
     return cofactors * handedness;
 }
 
-glm::vec3 shading_normal(const Scene& scene, const Mesh& mesh, const Material& material,
-                         const Instance& instance, const Corners& corners, glm::vec3 geometric_normal) {
+glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Instance& instance,
+                         const Corners& corners, const Footprint& normal_map, glm::vec3 geometric_normal) {
     float handedness = 1.0f;
     glm::vec3 n = normal_matrix(instance.transform, handedness) * interpolate(mesh.normals, corners);
     float length = glm::length(n);
     if (!(length > 0.0f)) return geometric_normal; // opposite vertex normals that cancel
     n /= length;
-    if (material.normal_texture.texture < 0 || mesh.tangents.empty()) return n;
+    if (!normal_map.texture || mesh.tangents.empty()) return n;
 
     // Tangent frame as glTF defines it; a mirroring transform turns the bitangent around.
     glm::vec4 tangent = interpolate(mesh.tangents, corners);
@@ -105,7 +164,7 @@ glm::vec3 shading_normal(const Scene& scene, const Mesh& mesh, const Material& m
     if (!(tangent_length > 0.0f)) return n;
     t /= tangent_length;
     glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -handedness : handedness);
-    glm::vec3 m = glm::vec3(look_up(scene, mesh, corners, material.normal_texture)) * 2.0f - 1.0f;
+    glm::vec3 m = glm::vec3(filter(normal_map)) * 2.0f - 1.0f;
     glm::vec3 bent = t * (m.x * material.normal_scale) + b * (m.y * material.normal_scale) + n * m.z;
     float bent_length = glm::length(bent);
     return bent_length > 0.0f ? bent / bent_length : n;
@@ -128,27 +187,17 @@ void place(Surface& s, const Mesh& mesh, const glm::mat4& transform, const Hit& 
 }
 
 // Factors times textures, and the lobes they make.
-void shade(Surface& s, const Scene& scene, const Mesh& mesh, const Material& material, const Corners& k) {
-    s.base_color = glm::vec3(material.base_color);
-    if (material.base_color_texture.texture >= 0)
-        s.base_color *= glm::vec3(look_up(scene, mesh, k, material.base_color_texture));
-    if (!mesh.colors.empty()) s.base_color *= glm::vec3(interpolate(mesh.colors, k));
-
-    s.metallic = material.metallic, s.roughness = material.roughness;
-    if (material.metallic_roughness_texture.texture >= 0) {
-        glm::vec4 t = look_up(scene, mesh, k, material.metallic_roughness_texture);
-        s.roughness *= t.g, s.metallic *= t.b;
-    }
-    s.transmission = material.transmission;
-    if (s.transmission > 0.0f) s.transmission *= look_up(scene, mesh, k, material.transmission_texture).r;
-    s.transmission *= 1.0f - s.metallic;
-    s.specular = material.specular * look_up(scene, mesh, k, material.specular_texture).a;
-    s.specular_color =
-        material.specular_color * glm::vec3(look_up(scene, mesh, k, material.specular_color_texture));
-    s.emission = material.emission;
-    if (material.emission_texture.texture >= 0 && s.emission != glm::vec3(0.0f))
-        s.emission *= glm::vec3(look_up(scene, mesh, k, material.emission_texture));
-
+void shade(Surface& s, const Mesh& mesh, const Material& material, const MaterialFootprints& textures,
+           const Corners& corners) {
+    s.base_color = glm::vec3(material.base_color) * glm::vec3(filter(textures.base_color));
+    if (!mesh.colors.empty()) s.base_color *= glm::vec3(interpolate(mesh.colors, corners));
+    glm::vec4 metallic_roughness = filter(textures.metallic_roughness);
+    s.metallic = material.metallic * metallic_roughness.b;
+    s.roughness = material.roughness * metallic_roughness.g;
+    s.transmission = material.transmission * filter(textures.transmission).r * (1.0f - s.metallic);
+    s.specular = material.specular * filter(textures.specular).a;
+    s.specular_color = material.specular_color * glm::vec3(filter(textures.specular_color));
+    s.emission = material.emission * glm::vec3(filter(textures.emission));
     shared::Brdf brdf =
         shared::make_brdf(s.base_color, s.metallic, s.roughness, material.ior, s.specular, s.specular_color);
     s.brdf = shared::scale_brdf(brdf, 1.0f - s.transmission);
@@ -156,20 +205,7 @@ void shade(Surface& s, const Scene& scene, const Mesh& mesh, const Material& mat
 
 } // namespace
 
-glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv) {
-    const DecodeTables& tables = decode_tables();
-    const std::array<float, 256>& color = texture.srgb ? tables.srgb : tables.linear;
-    Taps x = taps(uv.x, texture.pixels.width, texture.wrap_u);
-    Taps y = taps(uv.y, texture.pixels.height, texture.wrap_v);
-    if (texture.nearest)
-        return texel(texture, color, x.weight < 0.5f ? x.first : x.second,
-                     y.weight < 0.5f ? y.first : y.second);
-    glm::vec4 top =
-        glm::mix(texel(texture, color, x.first, y.first), texel(texture, color, x.second, y.first), x.weight);
-    glm::vec4 bottom = glm::mix(texel(texture, color, x.first, y.second),
-                                texel(texture, color, x.second, y.second), x.weight);
-    return glm::mix(top, bottom, y.weight);
-}
+glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv) { return filter(footprint(texture, uv)); }
 
 glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
@@ -194,6 +230,8 @@ Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
     Corners corners = corners_of(mesh, hit.triangle, {hit.u, hit.v});
+    prefetch_vertices(mesh, corners);
+    MaterialFootprints textures(scene, mesh, material, corners);
 
     Surface s;
     s.material = &material;
@@ -202,9 +240,9 @@ Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
 
     // Bend on the side that the ray sees, then turn back.
     float side = s.front ? 1.0f : -1.0f;
-    glm::vec3 n = shading_normal(scene, mesh, material, instance, corners, s.geometric_normal);
+    glm::vec3 n = shading_normal(mesh, material, instance, corners, textures.normal, s.geometric_normal);
     s.normal = shared::facing_normal(n * side, s.geometric_normal * side, -glm::normalize(direction)) * side;
-    shade(s, scene, mesh, material, corners);
+    shade(s, mesh, material, textures, corners);
     return s;
 }
 
