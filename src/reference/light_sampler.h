@@ -53,6 +53,8 @@ private:
     };
     std::vector<Emitter> emitters_;
     std::vector<float> cumulative_; // share of the power up to and with emitter i
+    std::vector<std::uint32_t>
+        guide_; // for the n-th of equal parts of [0, 1): the emitter that its start falls on
     // area_pdf by instance and triangle; empty for instances that do not emit
     std::vector<std::vector<float>> pdf_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One camera path at a time, split into the components of reference.h.
 #pragma once
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "reference/light_sampler.h"
@@ -35,6 +37,43 @@ struct RayLog {
     std::vector<Entry> entries;
 };
 
+// Light that the lights would send to a surface, before visibility.
+struct LightSamples {
+    struct Sample {
+        LightArrival light;
+        BsdfValue reflected; // MIS weight included
+    };
+    std::array<Sample, 6> samples; // at most four punctual ones, an emitter, the environment
+    std::size_t count = 0;
+};
+
+// The state of one camera path.
+struct Path {
+    Random random;
+    Ray ray{};
+    Hit hit{};               // of the ray,
+    bool found = false;      // if it meets a surface
+    std::size_t emitter = 0; // chosen for the surface that the ray meets
+    PathSample result;
+    int vertex = 0;          // surfaces met so far
+    glm::vec3 beta{1.0f};    // throughput of all lobes
+    glm::vec3 diffuse{1.0f}; // throughput if every vertex so far reflected by its Lambertian lobe
+    bool ideal = false;      // the lobe that sent the present ray
+    float pdf = 0.0f;        // of the present ray, where the lobe was smooth
+
+    // Light that the last of `vertex` surfaces sends along the path: `all` lobes of it, `lambert` its diffuse
+    // part, the throughputs of what lies before included; `by_ideal_lobe`: of mirror or glass.
+    void add(glm::vec3 all, glm::vec3 lambert, bool by_ideal_lobe) {
+        if (vertex == 0 || (vertex == 1 && !by_ideal_lobe)) {
+            result.direct += all;
+            return;
+        }
+        result.diffuse += lambert;
+        if (vertex == 2) result.diffuse1 += lambert;
+        result.specular += all - lambert;
+    }
+};
+
 struct PathTracerOptions {
     Strategy strategy = Strategy::mis;
     RayLog* log = nullptr; // one thread only
@@ -45,29 +84,48 @@ public:
     // Keeps references to `rays` and its scene.
     PathTracer(const RayCaster& rays, const ReferenceRequest& request, const PathTracerOptions& options = {});
 
-    PathSample trace(int x, int y, int sample) const;
+    PathSample trace(int x, int y, int sample) const { return follow(start(x, y, sample)); }
+
+    // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order. Three are under way
+    // at a time, so that what the camera rays hit is fetched while other paths are followed.
+    template <class Sink> void trace_samples(int x, int y, int first, int count, Sink&& sink) const {
+        std::array<std::optional<Path>, 3> paths;
+        for (int i = 0; i < count + 2; ++i) {
+            if (i < count) paths[std::size_t(i % 3)] = start(x, y, first + i);
+            if (i >= 1 && i <= count) fetch(*paths[std::size_t((i - 1) % 3)]);
+            if (i >= 2) sink(first + i - 2, follow(*paths[std::size_t((i - 2) % 3)]));
+        }
+    }
     bool sees_surface(int x, int y) const; // through the pixel's center
 
 private:
-    struct Path;
     Ray camera_ray(glm::vec2 pixel) const;
     bool intersect(const Ray& ray, Hit& hit) const;
     bool occluded(const ShadingPoint& point, const LightArrival& light) const;
 
-    // Light from all sources (of the emitters, one that was chosen) that reaches `point` and is reflected to
-    // where its ray came from.
-    BsdfValue direct_light(const ShadingPoint& point, std::size_t emitter, bool first, Random& random) const;
-    void add_arrival(const ShadingPoint& point, const LightArrival& light, BsdfValue& sum) const;
-    void add_punctual(const ShadingPoint& point, bool first, Random& random, BsdfValue& sum) const;
+    // Next-event estimation (path_lights.cpp): samples of all lights (of the emitters, one that was chosen),
+    // and what `point` reflects of those that are visible.
+    void sample_lights(const ShadingPoint& point, std::size_t emitter, bool first, Random& random,
+                       LightSamples& samples) const;
+    void sample_punctual(const ShadingPoint& point, bool first, Random& random, LightSamples& samples) const;
+    void add_sample(const ShadingPoint& point, const LightArrival& light, LightSamples& samples) const;
+    BsdfValue visible_light(const ShadingPoint& point, const LightSamples& samples) const;
     // Emission met by a ray that was drawn with density bsdf_pdf, with its MIS weight.
     glm::vec3 environment_met(glm::vec3 wi, float bsdf_pdf) const;
     glm::vec3 emission_met(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi,
                            float bsdf_pdf) const;
 
-    void follow(Path& path) const;
+    // A path up to its first hit; with its vertices fetched; the rest of it.
+    Path start(int x, int y, int sample) const;
+    void fetch(const Path& path) const;
+    PathSample follow(Path path) const;
+    void send(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;
-    bool is_wanted(const Path& path) const;
+    bool is_wanted(const Path& path, bool by_ideal_lobe) const;
     bool more_is_wanted(const Path& path) const;
+
+    // Components with rays of their own at the first vertex (path_first_vertex.cpp).
+    void add_first_vertex(const ShadingPoint& point, Random& random, PathSample& result) const;
     float openness(const ShadingPoint& point, Random& random) const;
     glm::vec3 unoccluded_bounce(const ShadingPoint& point, Random& random) const;
     glm::vec3 diffuse_reflection(const Surface& surface, glm::vec3 direction, Random& random) const;

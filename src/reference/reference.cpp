@@ -135,7 +135,8 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
     while (spp < settings.spp) {
         const int count = next_pass(settings, spp);
         for_each_pixel(request.width, request.height, [&](int x, int y) {
-            for (int s = spp; s < spp + count; ++s) film.add(x, y, s, tracer.trace(x, y, s));
+            tracer.trace_samples(x, y, spp, count,
+                                 [&](int s, const PathSample& value) { film.add(x, y, s, value); });
         });
         spp += count;
         progress.update(double(spp) / settings.spp);

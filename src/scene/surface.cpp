@@ -30,15 +30,22 @@ struct Taps {
     float weight;
 };
 
+// std::floor is a call on processors without SSE 4.1.
+float floor_of(float x) {
+    if (!(std::abs(x) < 8388608.0f)) return x; // no fraction left
+    float truncated = float(int(x));
+    return truncated > x ? truncated - 1.0f : truncated;
+}
+
 Taps taps(float coordinate, int size, Wrap wrap) {
     // Bring the coordinate into one period first, so that its fraction keeps its bits.
-    if (wrap == Wrap::repeat) coordinate -= std::floor(coordinate);
+    if (wrap == Wrap::repeat) coordinate -= floor_of(coordinate);
     if (wrap == Wrap::mirror) {
-        coordinate -= 2.0f * std::floor(coordinate * 0.5f);
+        coordinate -= 2.0f * floor_of(coordinate * 0.5f);
         if (coordinate > 1.0f) coordinate = 2.0f - coordinate;
     }
     float x = glm::clamp(coordinate, -1.0f, 2.0f) * float(size) - 0.5f;
-    float low = std::floor(x);
+    float low = floor_of(x);
     int first = int(low), second = first + 1;
 
     // Beside the border, repeating goes on at the other end; mirroring and clamping see the border texel
@@ -78,8 +85,8 @@ glm::vec4 texel(const Texture& texture, const std::array<float, 256>& color, int
 // The texels that a lookup will read. Finding them is apart from reading them because the first read of each
 // misses the cache: all are asked for at once, and fetched while geometry is computed.
 struct Footprint {
-    const Texture* texture = nullptr; // none: white
-    Taps x{}, y{};
+    const Texture* texture = nullptr;
+    Taps x, y; // unset without a texture
 };
 
 Footprint footprint(const Texture& texture, glm::vec2 uv) {
@@ -88,7 +95,6 @@ Footprint footprint(const Texture& texture, glm::vec2 uv) {
 }
 
 glm::vec4 filter(const Footprint& f) {
-    if (!f.texture) return glm::vec4(1.0f);
     const DecodeTables& tables = decode_tables();
     const std::array<float, 256>& color = f.texture->srgb ? tables.srgb : tables.linear;
     if (f.texture->nearest)
@@ -101,31 +107,49 @@ glm::vec4 filter(const Footprint& f) {
     return glm::mix(top, bottom, f.y.weight);
 }
 
-// The footprint of one slot of a material at the hit.
-Footprint locate(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
+// What a slot reads at a hit whose coordinates of both sets are `uv`.
+Footprint locate(const Scene& scene, const TextureUse& use, const glm::vec2 (&uv)[2]) {
     if (use.texture < 0) return {};
-    const std::vector<glm::vec2>& texcoords = mesh.texcoords[use.set];
-    glm::vec2 uv = texcoords.empty() ? glm::vec2(0.0f) : interpolate(texcoords, corners);
-    Footprint f =
-        footprint(scene.textures[std::size_t(use.texture)], glm::vec2(use.transform * glm::vec3(uv, 1.0f)));
+    glm::vec2 transformed(use.transform * glm::vec3(uv[use.set], 1.0f));
+    Footprint f = footprint(scene.textures[std::size_t(use.texture)], transformed);
     __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.first));
     __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.second));
     return f;
 }
 
+struct Texcoords {
+    Texcoords(const Mesh& mesh, const Corners& k) {
+        for (int set : {0, 1})
+            uv[set] = mesh.texcoords[set].empty() ? glm::vec2(0.0f) : interpolate(mesh.texcoords[set], k);
+    }
+    glm::vec2 uv[2];
+};
+
+bool is_textured(const Material& m) {
+    int all = -1; // stays negative as long as every index is
+    for (const TextureUse* use :
+         {&m.base_color_texture, &m.normal_texture, &m.metallic_roughness_texture, &m.emission_texture,
+          &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+        all &= use->texture;
+    return all >= 0;
+}
+
 glm::vec4 look_up(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
-    return filter(locate(scene, mesh, corners, use));
+    return use.texture < 0 ? glm::vec4(1.0f) : filter(locate(scene, use, Texcoords(mesh, corners).uv));
 }
 
 struct MaterialFootprints {
-    MaterialFootprints(const Scene& scene, const Mesh& mesh, const Material& m, const Corners& k)
-        : base_color(locate(scene, mesh, k, m.base_color_texture)),
-          normal(locate(scene, mesh, k, m.normal_texture)),
-          metallic_roughness(locate(scene, mesh, k, m.metallic_roughness_texture)),
-          emission(locate(scene, mesh, k, m.emission_texture)),
-          specular(locate(scene, mesh, k, m.specular_texture)),
-          specular_color(locate(scene, mesh, k, m.specular_color_texture)),
-          transmission(locate(scene, mesh, k, m.transmission_texture)) {}
+    MaterialFootprints(const Scene& scene, const Mesh& mesh, const Material& m, const Corners& k) {
+        if (!is_textured(m)) return;
+        const Texcoords t(mesh, k);
+        base_color = locate(scene, m.base_color_texture, t.uv);
+        normal = locate(scene, m.normal_texture, t.uv);
+        metallic_roughness = locate(scene, m.metallic_roughness_texture, t.uv);
+        emission = locate(scene, m.emission_texture, t.uv);
+        specular = locate(scene, m.specular_texture, t.uv);
+        specular_color = locate(scene, m.specular_color_texture, t.uv);
+        transmission = locate(scene, m.transmission_texture, t.uv);
+    }
     Footprint base_color, normal, metallic_roughness, emission, specular, specular_color, transmission;
 };
 
@@ -134,9 +158,9 @@ template <class T> void prefetch(const std::vector<T>& values, const Corners& k)
     for (std::uint32_t i : {k.a, k.b, k.c}) __builtin_prefetch(&values[i]);
 }
 
-void prefetch_vertices(const Mesh& mesh, const Corners& k) {
-    prefetch(mesh.texcoords[0], k), prefetch(mesh.positions, k), prefetch(mesh.normals, k);
-    prefetch(mesh.tangents, k), prefetch(mesh.colors, k);
+void prefetch_corners(const Mesh& mesh, const Material& material, const Corners& k) {
+    prefetch(mesh.positions, k), prefetch(mesh.normals, k), prefetch(mesh.colors, k);
+    if (is_textured(material)) prefetch(mesh.texcoords[0], k), prefetch(mesh.tangents, k);
 }
 
 // Rows are cross products of the columns: inverse transpose up to a positive factor, also for mirroring
@@ -189,15 +213,22 @@ void place(Surface& s, const Mesh& mesh, const glm::mat4& transform, const Hit& 
 // Factors times textures, and the lobes they make.
 void shade(Surface& s, const Mesh& mesh, const Material& material, const MaterialFootprints& textures,
            const Corners& corners) {
-    s.base_color = glm::vec3(material.base_color) * glm::vec3(filter(textures.base_color));
+    s.base_color = glm::vec3(material.base_color);
+    if (textures.base_color.texture) s.base_color *= glm::vec3(filter(textures.base_color));
     if (!mesh.colors.empty()) s.base_color *= glm::vec3(interpolate(mesh.colors, corners));
-    glm::vec4 metallic_roughness = filter(textures.metallic_roughness);
-    s.metallic = material.metallic * metallic_roughness.b;
-    s.roughness = material.roughness * metallic_roughness.g;
-    s.transmission = material.transmission * filter(textures.transmission).r * (1.0f - s.metallic);
-    s.specular = material.specular * filter(textures.specular).a;
-    s.specular_color = material.specular_color * glm::vec3(filter(textures.specular_color));
-    s.emission = material.emission * glm::vec3(filter(textures.emission));
+    s.metallic = material.metallic, s.roughness = material.roughness;
+    if (textures.metallic_roughness.texture) {
+        glm::vec4 t = filter(textures.metallic_roughness);
+        s.roughness *= t.g, s.metallic *= t.b;
+    }
+    s.transmission = material.transmission * (1.0f - s.metallic);
+    if (textures.transmission.texture) s.transmission *= filter(textures.transmission).r;
+    s.specular = material.specular;
+    if (textures.specular.texture) s.specular *= filter(textures.specular).a;
+    s.specular_color = material.specular_color;
+    if (textures.specular_color.texture) s.specular_color *= glm::vec3(filter(textures.specular_color));
+    s.emission = material.emission;
+    if (textures.emission.texture) s.emission *= glm::vec3(filter(textures.emission));
     shared::Brdf brdf =
         shared::make_brdf(s.base_color, s.metallic, s.roughness, material.ior, s.specular, s.specular_color);
     s.brdf = shared::scale_brdf(brdf, 1.0f - s.transmission);
@@ -225,12 +256,23 @@ bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t tr
     return alpha < (material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 0.5f);
 }
 
+void prefetch_indices(const Scene& scene, const Hit& hit) {
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+    __builtin_prefetch(&mesh.indices[std::size_t(hit.triangle) * 3]);
+}
+
+void prefetch_vertices(const Scene& scene, const Hit& hit) {
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+    const Material& material = scene.materials[std::size_t(mesh.material)];
+    prefetch_corners(mesh, material, corners_of(mesh, hit.triangle, {hit.u, hit.v}));
+}
+
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
     const Instance& instance = scene.instances[hit.instance];
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
     Corners corners = corners_of(mesh, hit.triangle, {hit.u, hit.v});
-    prefetch_vertices(mesh, corners);
+    prefetch_corners(mesh, material, corners);
     MaterialFootprints textures(scene, mesh, material, corners);
 
     Surface s;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Components with rays of their own at the first vertex: ambient occlusion and the bounce that nothing hides.
+#include <algorithm>
+#include <cmath>
+
+#include "reference/path_tracer.h"
+#include "shared/sampling.h"
+
+namespace luxel {
+
+void PathTracer::add_first_vertex(const ShadingPoint& point, Random& random, PathSample& result) const {
+    if (wanted_.ao) result.ao = openness(point, random);
+    if (wanted_.diffuse1_unoccluded) result.diffuse1_unoccluded = unoccluded_bounce(point, random);
+}
+
+// Share of the cosine-weighted hemisphere without an occluder within the radius, occluders weighted by
+// distance.
+float PathTracer::openness(const ShadingPoint& point, Random& random) const {
+    glm::vec3 wi = shared::frame_around(point.normal) * shared::sample_cosine_hemisphere(random.next2());
+    if (glm::dot(wi, point.geometric_normal) <= 0.0f) return 0.0f;
+    Ray ray{point.origin(wi), wi, 0.0f, settings_.ao_radius};
+    Hit hit;
+    if (!intersect(ray, hit)) return 1.0f;
+    float d = std::min(hit.t / settings_.ao_radius, 1.0f);
+    switch (settings_.ao_membership) {
+    case Membership::sqrt:
+        return std::sqrt(d);
+    case Membership::cubic:
+        return d * d * d;
+    default:
+        return 0.0f;
+    }
+}
+
+// One diffuse bounce through everything: each surface along the ray that turns to the receiver adds its
+// light.
+glm::vec3 PathTracer::unoccluded_bounce(const ShadingPoint& point, Random& random) const {
+    glm::vec3 sum(0.0f), albedo = point.surface->brdf.diffuse;
+    glm::vec3 wi = shared::frame_around(point.normal) * shared::sample_cosine_hemisphere(random.next2());
+    if (albedo == glm::vec3(0.0f) || glm::dot(wi, point.geometric_normal) <= 0.0f) return sum;
+    Ray ray{point.origin(wi), wi};
+    Hit hit;
+    while (intersect(ray, hit)) {
+        Surface surface = surface_at(*scene_, hit, wi);
+        if (surface.front || surface.material->double_sided) sum += diffuse_reflection(surface, wi, random);
+        ShadingPoint layer(surface, wi);
+        ray.origin = layer.origin(wi);
+    }
+    return albedo * sum;
+}
+
+// Light straight from its sources that the Lambertian lobe sends back along `direction`.
+glm::vec3 PathTracer::diffuse_reflection(const Surface& surface, glm::vec3 direction, Random& random) const {
+    // As if it had no other lobe, so that the one direction drawn for MIS is a diffuse one.
+    Surface lambertian = surface;
+    lambertian.brdf.f0 = lambertian.brdf.f90 = glm::vec3(0.0f);
+    lambertian.transmission = 0.0f;
+    ShadingPoint point(lambertian, direction);
+    if (!point.has_smooth_lobes()) return glm::vec3(0.0f);
+    std::size_t emitter = lights_.has_emitters() ? lights_.choose_emitter(random.next()) : 0;
+    LightSamples samples;
+    sample_lights(point, emitter, false, random, samples);
+    glm::vec3 sum = visible_light(point, samples).diffuse;
+    if (!lights_.has_emitters() && !lights_.has_environment()) return sum;
+
+    BsdfSample sample = sample_bsdf(point, random);
+    if (sample.weight == glm::vec3(0.0f)) return sum;
+    Ray ray{point.origin(sample.wi), sample.wi};
+    Hit hit;
+    if (!intersect(ray, hit)) return sum + sample.weight * environment_met(sample.wi, sample.pdf);
+    Surface met = surface_at(*scene_, hit, sample.wi);
+    return sum + sample.weight * emission_met(hit, met, surface.position, sample.wi, sample.pdf);
+}
+
+} // namespace luxel
