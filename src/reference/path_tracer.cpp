@@ -91,6 +91,7 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     return true;
 }
 
+// The emitter for the surface that the ray will meet is chosen first, so that its data arrives with the hit.
 void PathTracer::send(Path& path) const {
     if (lights_.has_emitters()) path.emitter = lights_.choose_emitter(path.random.next());
     path.found = intersect(path.ray, path.hit);
@@ -102,51 +103,62 @@ Path PathTracer::start(int x, int y, int sample) const {
     Path path{Random(pixel, shared::uint(sample), shared::uint(settings_.seed))};
     glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : path.random.next2();
     path.ray = camera_ray(glm::vec2(x, y) + jitter);
+    path.from = path.ray.origin;
     send(path);
     return path;
 }
 
-void PathTracer::fetch(const Path& path) const {
-    if (path.found) prefetch_vertices(*scene_, path.hit);
-}
-
-// The order within a vertex hides the latency of memory: the next hit is found before the shadow rays are
-// traced, and what it needs is fetched meanwhile; the emitter is chosen, and fetched, before the ray to its
-// receiver.
-PathSample PathTracer::follow(Path path) const {
-    glm::vec3 from = path.ray.origin;
-    while (path.found) {
-        // A surface may emit.
-        Surface surface = surface_at(*scene_, path.hit, path.ray.direction);
-        glm::vec3 met = emission_met(path.hit, surface, from, path.ray.direction, path.pdf);
-        path.add(path.beta * met, path.diffuse * met, path.ideal);
-        ++path.vertex;
-        ShadingPoint point(surface, path.ray.direction);
-        if (path.vertex == 1) add_first_vertex(point, path.random, path.result);
-        const bool lit_is_wanted = path.vertex <= settings_.max_bounces + 1 && is_wanted(path, false);
-        if (!lit_is_wanted && !more_is_wanted(path)) return path.result;
-
-        // The path goes on first ...
-        const glm::vec3 beta = path.beta, diffuse = path.diffuse;
-        const std::size_t emitter = path.emitter;
-        from = surface.position;
-        const bool goes_on = scatter(path, point);
-        if (goes_on) send(path);
-
-        // ... then light arrives here straight from its sources.
-        if (lit_is_wanted) {
-            LightSamples samples;
-            sample_lights(point, emitter, path.vertex == 1, path.random, samples);
-            if (goes_on) fetch(path);
-            BsdfValue lit = visible_light(point, samples);
-            path.add(beta * lit.sum(), diffuse * lit.diffuse, false);
-        }
-        if (!goes_on) return path.result;
-    }
-
-    // Past all surfaces there is the environment.
+// Past all surfaces there is the environment.
+void PathTracer::finish(Path& path) const {
     glm::vec3 met = environment_met(path.ray.direction, path.pdf);
     path.add(path.beta * met, path.diffuse * met, path.ideal);
+    path.alive = false;
+}
+
+void PathTracer::step(Path& path) const {
+    if (!path.found) return finish(path);
+    path.alive = false;
+
+    // The surface may emit.
+    Surface surface = surface_at(*scene_, path.hit, path.ray.direction);
+    glm::vec3 met = emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf);
+    path.add(path.beta * met, path.diffuse * met, path.ideal);
+    ++path.vertex;
+    ShadingPoint point(surface, path.ray.direction);
+    if (path.vertex == 1) add_first_vertex(point, path.random, path.result);
+    const bool lit_is_wanted = path.vertex <= settings_.max_bounces + 1 && is_wanted(path, false);
+    if (!lit_is_wanted && !more_is_wanted(path)) return;
+
+    // It reflects light that comes straight from its sources, and light from the next surface.
+    if (lit_is_wanted) {
+        LightSamples samples;
+        sample_lights(point, path.emitter, path.vertex == 1, path.random, samples);
+        BsdfValue lit = visible_light(point, samples);
+        path.add(path.beta * lit.sum(), path.diffuse * lit.diffuse, false);
+    }
+    path.from = surface.position;
+    if (!scatter(path, point)) return;
+    send(path);
+    path.alive = true;
+}
+
+// Paths side by side: what one needs from memory is asked for, and arrives while the others are advanced.
+void PathTracer::follow(std::span<Path> paths) const {
+    bool any = true;
+    while (any) {
+        for (const Path& path : paths)
+            if (path.alive && path.found) prefetch_vertices(*scene_, path.hit);
+        for (const Path& path : paths)
+            if (path.alive && path.found) prefetch_texels(*scene_, path.hit);
+        any = false;
+        for (Path& path : paths)
+            if (path.alive) step(path), any |= path.alive;
+    }
+}
+
+PathSample PathTracer::trace(int x, int y, int sample) const {
+    Path path = start(x, y, sample);
+    follow({&path, 1});
     return path.result;
 }
 

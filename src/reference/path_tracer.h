@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // One camera path at a time, split into the components of reference.h.
 #pragma once
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "reference/light_sampler.h"
@@ -51,6 +52,8 @@ struct LightSamples {
 struct Path {
     Random random;
     Ray ray{};
+    glm::vec3 from{0.0f}; // the surface that sent it, or the camera
+    bool alive = true;
     Hit hit{};               // of the ray,
     bool found = false;      // if it meets a surface
     std::size_t emitter = 0; // chosen for the surface that the ray meets
@@ -84,16 +87,18 @@ public:
     // Keeps references to `rays` and its scene.
     PathTracer(const RayCaster& rays, const ReferenceRequest& request, const PathTracerOptions& options = {});
 
-    PathSample trace(int x, int y, int sample) const { return follow(start(x, y, sample)); }
+    PathSample trace(int x, int y, int sample) const;
 
-    // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order. Three are under way
-    // at a time, so that what the camera rays hit is fetched while other paths are followed.
+    // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order.
     template <class Sink> void trace_samples(int x, int y, int first, int count, Sink&& sink) const {
-        std::array<std::optional<Path>, 3> paths;
-        for (int i = 0; i < count + 2; ++i) {
-            if (i < count) paths[std::size_t(i % 3)] = start(x, y, first + i);
-            if (i >= 1 && i <= count) fetch(*paths[std::size_t((i - 1) % 3)]);
-            if (i >= 2) sink(first + i - 2, follow(*paths[std::size_t((i - 2) % 3)]));
+        std::vector<Path> paths;
+        paths.reserve(paths_side_by_side);
+        for (int done = 0; done < count; done += int(paths.size())) {
+            paths.clear();
+            for (int i = done; i < std::min(count, done + paths_side_by_side); ++i)
+                paths.push_back(start(x, y, first + i));
+            follow(paths);
+            for (std::size_t i = 0; i < paths.size(); ++i) sink(first + done + int(i), paths[i].result);
         }
     }
     bool sees_surface(int x, int y) const; // through the pixel's center
@@ -115,11 +120,12 @@ private:
     glm::vec3 emission_met(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi,
                            float bsdf_pdf) const;
 
-    // A path up to its first hit; with its vertices fetched; the rest of it.
-    Path start(int x, int y, int sample) const;
-    void fetch(const Path& path) const;
-    PathSample follow(Path path) const;
-    void send(Path& path) const;
+    static constexpr int paths_side_by_side = 8;
+    Path start(int x, int y, int sample) const; // up to the first hit
+    void follow(std::span<Path> paths) const;   // to their ends
+    void step(Path& path) const;                // past one surface
+    void send(Path& path) const;                // along its ray
+    void finish(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;
     bool is_wanted(const Path& path, bool by_ideal_lobe) const;
     bool more_is_wanted(const Path& path) const;

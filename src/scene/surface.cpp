@@ -267,12 +267,17 @@ void prefetch_vertices(const Scene& scene, const Hit& hit) {
     prefetch_corners(mesh, material, corners_of(mesh, hit.triangle, {hit.u, hit.v}));
 }
 
+void prefetch_texels(const Scene& scene, const Hit& hit) {
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+    const Material& material = scene.materials[std::size_t(mesh.material)];
+    MaterialFootprints(scene, mesh, material, corners_of(mesh, hit.triangle, {hit.u, hit.v}));
+}
+
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
     const Instance& instance = scene.instances[hit.instance];
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
     Corners corners = corners_of(mesh, hit.triangle, {hit.u, hit.v});
-    prefetch_corners(mesh, material, corners);
     MaterialFootprints textures(scene, mesh, material, corners);
 
     Surface s;

@@ -27,10 +27,11 @@ struct Surface {
 // direction: of the ray that hit.
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction);
 
-// Hints that surface_at() will be asked for this hit. Both reads miss the cache and the second needs the
-// first: with some other work before each next step, nobody waits for memory.
+// Hints that surface_at() will be asked for this hit. Each reads what the one before it asked for: with other
+// work between them, nobody waits for memory.
 void prefetch_indices(const Scene& scene, const Hit& hit);
 void prefetch_vertices(const Scene& scene, const Hit& hit);
+void prefetch_texels(const Scene& scene, const Hit& hit);
 
 // Radiance that leaves the front of a triangle at barycentric (u, v).
 glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
