@@ -96,14 +96,15 @@ void DirectLight::add(gpu::Recorder& recorder, const Frame& frame, const ShadowM
     gpu::Image shadow_maps = maps.draw(recorder, *frame.scene, views, options_.esm_exponent);
 
     shared::DirectParams p{.view = frame.view,
-                           .mode = shared::uint(options_.shadow),
                            .esm_exponent = options_.esm_exponent,
                            .light_count = int(batch.size()),
                            .map_size = float(maps.size())};
     for (std::size_t i = 0; i < batch.size(); ++i) p.lights[i] = batch[i].light;
     std::copy(views.begin(), views.end(), p.maps);
     const GBuffer& g = frame.gbuffer;
-    recorder.dispatch("frame/direct.comp", extent_of(frame.direct), p,
+    static constexpr const char* programs[] = {"frame/direct_hard.comp", "frame/direct_pcf.comp",
+                                               "frame/direct_esm.comp"};
+    recorder.dispatch(programs[std::size_t(options_.shadow)], extent_of(frame.direct), p,
                       {{"depth", g.depth},
                        {"diffuse", g.diffuse},
                        {"specular", g.specular},
@@ -113,9 +114,5 @@ void DirectLight::add(gpu::Recorder& recorder, const Frame& frame, const ShadowM
                        {"direct", frame.direct},
                        {"direct_diffuse", frame.direct_diffuse}});
 }
-
-static_assert(shared::uint(ShadowMode::hard) == shared::SHADOW_HARD &&
-              shared::uint(ShadowMode::pcf) == shared::SHADOW_PCF &&
-              shared::uint(ShadowMode::esm) == shared::SHADOW_ESM);
 
 } // namespace luxel

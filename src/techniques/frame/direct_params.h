@@ -11,7 +11,6 @@ LUXEL_CONST int MAX_BATCH_MAPS = 64;
 
 struct DirectParams {
     ViewParams view;
-    uint mode; // SHADOW_*
     float esm_exponent;
     int light_count;
     float map_size; // texels a side

@@ -81,7 +81,9 @@ static_assert(shared::uint(Wrap::repeat) == shared::WRAP_REPEAT &&
               shared::uint(Wrap::clamp) == shared::WRAP_CLAMP &&
               shared::uint(Wrap::mirror) == shared::WRAP_MIRROR);
 
-// The texture slots of a material, by the shader's names; the alpha test reads the first.
+// The texture slots of a material, by the shader's names; those of core glTF first, the alpha test's before
+// all.
+constexpr std::size_t common_slots = 4;
 struct TextureSlot {
     const char* name;
     TextureUse Material::*use;
@@ -188,24 +190,32 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
     const std::byte white[4] = {std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
     gpu::Image no_texture = gpu.upload_image({.format = VK_FORMAT_R8G8B8A8_UNORM}, white, "no texture");
     std::vector<gpu::Image> textures(scene_->textures.size());
+    auto bind = [&](const TextureSlot& slot, const TextureUse& use) -> gpu::Binding {
+        if (use.texture < 0) return {slot.name, no_texture};
+        const Texture& texture = scene_->textures[std::size_t(use.texture)];
+        gpu::Image& image = textures[std::size_t(use.texture)];
+        if (!image) image = upload_texture(gpu, texture, mipmaps);
+        return {slot.name, image,
+                texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat};
+    };
     for (const Material& m : scene_->materials) {
+        // The last slot in use decides which shader it takes.
+        std::size_t used = 0;
+        for (std::size_t i = 0; i < std::size(texture_slots); ++i)
+            if ((m.*texture_slots[i].use).texture >= 0) used = i + 1;
+        MaterialOnGpu on_gpu{.masked = m.alpha_mode != AlphaMode::opaque, .kind = Surfaces::plain};
+        if (used > 0) on_gpu.kind = mipmaps && used <= common_slots ? Surfaces::textured : Surfaces::full;
+
         shared::MaterialRecord record = material_record(*scene_, m, mipmaps);
-        MaterialOnGpu on_gpu{.masked = m.alpha_mode != AlphaMode::opaque};
-        on_gpu.all.push_back(
-            {"material", gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)});
-        for (const TextureSlot& slot : texture_slots) {
-            int index = (m.*slot.use).texture;
-            if (index < 0) {
-                on_gpu.all.push_back({slot.name, no_texture});
-                continue;
-            }
-            const Texture& texture = scene_->textures[std::size_t(index)];
-            gpu::Image& image = textures[std::size_t(index)];
-            if (!image) image = upload_texture(gpu, texture, mipmaps);
-            on_gpu.all.push_back(
-                {slot.name, image,
-                 texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat});
-        }
+        gpu::Binding material = {"material",
+                                 gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)};
+        on_gpu.alpha = {material, bind(texture_slots[0], m.*texture_slots[0].use)};
+        on_gpu.all = {material};
+        std::size_t bound = on_gpu.kind == Surfaces::plain      ? 0
+                            : on_gpu.kind == Surfaces::textured ? common_slots
+                                                                : std::size(texture_slots);
+        for (std::size_t i = 0; i < bound; ++i)
+            on_gpu.all.push_back(bind(texture_slots[i], m.*texture_slots[i].use));
         materials_.push_back(std::move(on_gpu));
     }
 }
@@ -215,12 +225,12 @@ std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfa
     int last_material = -1;
     for (const Object& object : objects_) {
         const MaterialOnGpu& material = materials_[std::size_t(object.material)];
-        if (surfaces != Surfaces::all && (surfaces == Surfaces::masked) != material.masked) continue;
+        if (!material.is(surfaces)) continue;
         if (!touches(frustum, object.bounds)) continue;
         if (batches.empty() || (use != MaterialUse::none && object.material != last_material)) {
             gpu::Batch& batch = batches.emplace_back();
             if (use == MaterialUse::all) batch.bindings = material.all;
-            if (use == MaterialUse::alpha) batch.bindings = {material.all[0], material.all[1]};
+            if (use == MaterialUse::alpha) batch.bindings = material.alpha;
             last_material = object.material;
         }
         batches.back().draws.push_back(object.draw);

@@ -9,8 +9,11 @@
 
 namespace luxel {
 
-enum class Surfaces { all, opaque, masked };
-// What a batch binds in descriptor set 1: nothing, what the alpha test reads, or the whole material.
+// Opaque or masked; or by what their materials need of a shader: no textures, those of core glTF filtered by
+// the sampler, or all that there may be.
+enum class Surfaces { opaque, masked, plain, textured, full };
+// What a batch binds in descriptor set 1: nothing, what the alpha test reads, or the whole material (for one
+// of plain, textured, full).
 enum class MaterialUse { none, alpha, all };
 
 class GpuScene {
@@ -33,8 +36,10 @@ public:
 
 private:
     struct MaterialOnGpu {
-        gpu::Bindings all; // alpha: the first two
+        gpu::Bindings alpha, all;
         bool masked;
+        Surfaces kind; // plain, textured or full
+        bool is(Surfaces s) const { return s == kind || s == (masked ? Surfaces::masked : Surfaces::opaque); }
     };
     struct Object { // an instance as it is drawn
         Bounds bounds;

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The material of a batch (descriptor set 1) and its base color texture; the alpha test.
+// The material of a batch (descriptor set 1) and its base color texture. Define TEXTURES first: what the material may
+// have (CPU drivers execute untaken branches).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/frame/gpu_scene_params.h"
+#define TEXTURES_NONE 0
+#define TEXTURES_COMMON 1
+#define TEXTURES_ALL 2
 
 layout(set = 1, binding = 0, scalar) uniform material { MaterialRecord m; };
+#if TEXTURES != TEXTURES_NONE
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
+#endif
 
 ivec2 wrap_texel(ivec2 texel, TextureRecord use) {
     ivec2 size = ivec2(use.size);
@@ -32,6 +38,9 @@ vec4 look_up(sampler2D image, TextureRecord use, vec2 uv0, vec2 uv1) {
     vec3 uv = vec3(use.set == 0u ? uv0 : uv1, 1.0);
     vec2 t = vec2(dot(use.u_row, uv), dot(use.v_row, uv));
     vec2 wrapped = vec2(wrap_coordinate(t.x, use.size.x, use.wrap_u), wrap_coordinate(t.y, use.size.y, use.wrap_v));
+#if TEXTURES == TEXTURES_COMMON
+    return textureGrad(image, wrapped, dFdx(t), dFdy(t));
+#endif
     if (use.filter_mode == FILTER_SAMPLER) return textureGrad(image, wrapped, dFdx(t), dFdy(t));
     return exact_texel(image, use, fract(wrapped));
 }

@@ -11,6 +11,7 @@
 #include "techniques/frame/ambient_params.h"
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
+#include "techniques/frame/gbuffer.h"
 #include "techniques/frame/projection.h"
 
 namespace luxel {
@@ -29,7 +30,6 @@ struct Renderer::Data {
     }
 
     Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request) const;
-    void draw_gbuffer(gpu::Recorder& recorder, const Frame& frame) const;
     void add_ambient(gpu::Recorder& recorder, const Frame& frame) const;
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions) const;
@@ -112,23 +112,6 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     return f;
 }
 
-void Renderer::Data::draw_gbuffer(gpu::Recorder& recorder, const Frame& frame) const {
-    const GBuffer& g = frame.gbuffer;
-    const std::array<float, 4> black{};
-    gpu::RasterPass pass{.color = {{g.diffuse, black},
-                                   {g.specular, black},
-                                   {g.normal, black},
-                                   {g.geometric_normal, black},
-                                   {g.depth, black},
-                                   {frame.direct, black}},
-                         .depth = gpu::DepthTarget{.image = g.hardware_depth,
-                                                   .clear = 0.0f,
-                                                   .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
-    recorder.draw("frame/gbuffer", pass, frame.view, on_gpu.vertex_bindings(MaterialUse::all),
-                  on_gpu.indices(),
-                  on_gpu.batches(frustum_of(frame.view.world_to_clip), Surfaces::all, MaterialUse::all));
-}
-
 void Renderer::Data::add_ambient(gpu::Recorder& recorder, const Frame& frame) const {
     if (options.environment != EnvironmentMode::ambient || scene.environment.empty()) {
         recorder.clear(frame.ambient, {});
@@ -184,7 +167,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.gpu.reset_memory_peak();
     gpu::Recorder recorder(d.gpu);
     Frame frame = d.make_frame(recorder, request);
-    d.draw_gbuffer(recorder, frame);
+    draw_gbuffer(recorder, frame);
     recorder.clear(frame.direct_diffuse, {});
     d.direct.render(recorder, frame);
     d.add_ambient(recorder, frame);

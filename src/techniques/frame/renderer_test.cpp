@@ -116,33 +116,36 @@ TEST_F(FrameTest, GBufferEqualsRayCasting) {
     }
 }
 
-// An image-sized checkerboard texture, wrapped in all ways, with a vertex color and a mirrored instance.
-TEST_F(FrameTest, TexturesAndMirroredInstancesEqualRayCasting) {
+// A small texture wrapped in all ways, with holes, a vertex color and a mirrored instance; by the shader's
+// own filter and by the sampler.
+TEST_F(FrameTest, TexturesMasksAndMirroredInstancesEqualRayCasting) {
     Scene scene = floor_scene();
     Texture texture;
     texture.srgb = true;
     texture.pixels = {.width = 4, .height = 2, .rgba = {}};
     for (int i = 0; i < 4 * 2; ++i)
-        for (int value : {i * 32, 255 - i * 20, (i * 77) % 256, 255})
+        for (int value : {i * 32, 255 - i * 20, (i * 77) % 256, i == 2 ? 0 : 255})
             texture.pixels.rgba.push_back(std::uint8_t(value));
     Mesh& mesh = scene.meshes[0];
     mesh.texcoords[0] = {{-1.3f, -0.7f}, {1.9f, -0.7f}, {1.9f, 2.2f}, {-1.3f, 2.2f}};
     mesh.colors.assign(4, glm::vec4(1.0f, 0.5f, 0.25f, 1.0f));
     scene.materials[0].base_color_texture.texture = 0;
-    scene.instances[0].transform = glm::mat4(1.0f);
+    scene.materials[0].alpha_mode = AlphaMode::mask;
     scene.instances[0].transform[0][0] = -1.0f;
     for (Wrap u : {Wrap::repeat, Wrap::clamp, Wrap::mirror})
-        for (bool nearest : {false, true}) {
-            texture.wrap_u = u, texture.wrap_v = u == Wrap::clamp ? Wrap::mirror : Wrap::clamp;
-            texture.nearest = nearest;
-            scene.textures = {texture};
-            RenderResult frame = render(scene, {.mipmaps = false},
-                                        {.images = {"depth", "normal", "geometric_normal", "diffuse"}});
-            GBufferError e = gbuffer_error(scene, frame);
-            EXPECT_GT(e.compared, 160 * 120 / 2);
-            EXPECT_LT(e.albedo, 2e-3) << int(u) << nearest;
-            EXPECT_LT(e.normal, 1e-3);
-        }
+        for (bool nearest : {false, true})
+            for (bool mipmaps : {false, true}) {
+                texture.wrap_u = u, texture.wrap_v = u == Wrap::clamp ? Wrap::mirror : Wrap::clamp;
+                texture.nearest = nearest;
+                scene.textures = {texture};
+                RenderResult frame = render(scene, {.mipmaps = mipmaps},
+                                            {.images = {"depth", "normal", "geometric_normal", "diffuse"}});
+                GBufferError e = gbuffer_error(scene, frame);
+                EXPECT_GT(e.compared, 160 * 120 / 4);
+                EXPECT_LE(e.different, e.compared / 100) << int(u) << nearest << mipmaps;
+                EXPECT_LT(e.albedo, 3e-3) << int(u) << nearest << mipmaps;
+                EXPECT_LT(e.normal, 1e-3);
+            }
 }
 
 // A point light of intensity I at height h above a floor of albedo 1: L = I/(pi h^2) at its foot.

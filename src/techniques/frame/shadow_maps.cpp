@@ -135,6 +135,8 @@ gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
                             const std::vector<shared::ShadowView>& views, float esm_exponent) const {
     LUXEL_ASSERT(int(views.size()) <= layers(), "views={} layers={}", views.size(), layers());
 
+    auto scope = recorder.scope("shadow");
+
     // Both sides cast shadows, so nothing is culled by orientation.
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         const glm::mat4& m = views[i].world_to_map;
@@ -142,13 +144,13 @@ gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
         gpu::RasterPass pass{.depth = gpu::DepthTarget{.image = depth_.layer(i),
                                                        .clear = 0.0f,
                                                        .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
-        recorder.draw("frame/shadow", pass, m, scene.vertex_bindings(MaterialUse::none), scene.indices(),
+        recorder.draw("frame/depth", pass, m, scene.vertex_bindings(MaterialUse::none), scene.indices(),
                       scene.batches(frustum, Surfaces::opaque, MaterialUse::none));
         std::vector<gpu::Batch> masked = scene.batches(frustum, Surfaces::masked, MaterialUse::alpha);
         if (masked.empty()) continue;
         pass.depth->clear.reset();
-        recorder.draw("frame/shadow_mask", pass, m, scene.vertex_bindings(MaterialUse::alpha),
-                      scene.indices(), masked);
+        recorder.draw("frame/depth_mask", pass, m, scene.vertex_bindings(MaterialUse::alpha), scene.indices(),
+                      masked);
     }
     gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
     if (mode_ != ShadowMode::esm) return first_layers(depth_, threads.z);

@@ -32,7 +32,7 @@ public:
     int layers() const { return int(depth_.info().layers); }
 
     // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result, as many
-    // layers as views, is what frame/direct.comp reads.
+    // layers as views, is what frame/direct.glsl reads.
     gpu::Image draw(gpu::Recorder& recorder, const GpuScene& scene,
                     const std::vector<shared::ShadowView>& views, float esm_exponent) const;
     std::vector<gpu::Image> images() const;

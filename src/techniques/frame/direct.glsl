@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adds a batch of lights, with their shadows, to the direct light of every pixel.
-#version 460
+// Adds a batch of lights, with their shadows, to the direct light of every pixel. SHADOW_MODE selects the filter at
+// compile time: CPU drivers execute untaken branches.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/brdf.h"
@@ -53,13 +53,13 @@ float visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
     ShadowView view = p.maps[map];
     float w = dot(vec4(view.world_to_map[0].w, view.world_to_map[1].w, view.world_to_map[2].w, view.world_to_map[3].w),
                   vec4(position, 1.0));
-    vec3 receiver = position + n * receiver_offset(view, n, w, shadow_reach(p.mode));
+    vec3 receiver = position + n * receiver_offset(view, n, w, shadow_reach(SHADOW_MODE));
     vec4 clip = view.world_to_map * vec4(receiver, 1.0);
     vec3 c = clip.xyz / clip.w;
     vec2 texel = vec2(0.5 + 0.5 * c.x, 0.5 - 0.5 * c.y) * p.map_size;
-    if (p.mode == SHADOW_ESM) return exponential(texel, linear_light_depth(view, c.z), cos_theta, map);
+    if (SHADOW_MODE == SHADOW_ESM) return exponential(texel, linear_light_depth(view, c.z), cos_theta, map);
     float z = c.z + DEPTH_ROUNDING;
-    if (p.mode == SHADOW_PCF) return percentage_closer(texel, z, map);
+    if (SHADOW_MODE == SHADOW_PCF) return percentage_closer(texel, z, map);
     return z >= stored(ivec2(floor(texel)), map) ? 1.0 : 0.0;
 }
 

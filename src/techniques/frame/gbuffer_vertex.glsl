@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Geometry as the camera sees it.
-#version 460
 #include "techniques/frame/geometry.glsl"
 #include "techniques/frame/view_params.h"
 
@@ -17,6 +16,7 @@ layout(location = 3) out vec4 uv;
 layout(location = 4) out vec4 color;
 layout(location = 5) out float depth;
 layout(location = 6) flat out float handedness;
+invariant gl_Position; // frame/depth.vert has drawn the same depth
 
 void main() {
     InstanceRecord instance = instance_of[gl_InstanceIndex];

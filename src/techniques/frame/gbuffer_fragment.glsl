@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The surface under the pixel's center, as surface_at in scene/surface.cpp finds it.
-#version 460
+// The surface under the pixel's center, as surface_at in scene/surface.cpp finds it. TEXTURES is
+// TEXTURES_NONE, TEXTURES_COMMON (those of core glTF, filtered by the sampler) or TEXTURES_ALL.
 #include "shared/brdf.h"
 #include "techniques/frame/material.glsl"
 #include "techniques/frame/view_params.h"
 
 layout(set = 0, binding = 6, scalar) uniform params { ViewParams view; };
 
+#if TEXTURES != TEXTURES_NONE
 layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_texture;
 layout(set = 1, binding = 3) uniform sampler2D normal_texture;
 layout(set = 1, binding = 4) uniform sampler2D emission_texture;
+#endif
+#if TEXTURES == TEXTURES_ALL
 layout(set = 1, binding = 5) uniform sampler2D specular_texture;
 layout(set = 1, binding = 6) uniform sampler2D specular_color_texture;
 layout(set = 1, binding = 7) uniform sampler2D transmission_texture;
+#endif
 
 layout(location = 0) in vec3 from_eye;
 layout(location = 1) in vec3 normal;
@@ -34,6 +38,9 @@ vec3 shading_normal(vec3 geometric) {
     float length_n = length(normal);
     if (!(length_n > 0.0)) return geometric;
     vec3 n = normal / length_n;
+#if TEXTURES == TEXTURES_NONE
+    return n;
+#else
     float length_t = length(tangent.xyz);
     if (m.normal_texture.present == 0u || !(length_t > 0.0)) return n;
 
@@ -44,11 +51,33 @@ vec3 shading_normal(vec3 geometric) {
     vec3 bent = t * (texel.x * m.normal_scale) + b * (texel.y * m.normal_scale) + n * texel.z;
     float length_bent = length(bent);
     return length_bent > 0.0 ? bent / length_bent : n;
+#endif
 }
 
 void main() {
+    // Factors times textures.
     vec4 base = m.base_color * color;
+    float metallic = m.metallic, roughness = m.roughness, specular = m.specular, transmission = m.transmission;
+    vec3 specular_color = m.specular_color, emission = m.emission;
+#if TEXTURES != TEXTURES_NONE
     if (m.base_color_texture.present != 0u) base *= look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw);
+    if (m.metallic_roughness_texture.present != 0u) {
+        vec4 t = look_up(metallic_roughness_texture, m.metallic_roughness_texture, uv.xy, uv.zw);
+        roughness *= t.g;
+        metallic *= t.b;
+    }
+    if (m.emission_texture.present != 0u)
+        emission *= look_up(emission_texture, m.emission_texture, uv.xy, uv.zw).rgb;
+#endif
+#if TEXTURES == TEXTURES_ALL
+    if (m.specular_texture.present != 0u) specular *= look_up(specular_texture, m.specular_texture, uv.xy, uv.zw).a;
+    if (m.specular_color_texture.present != 0u)
+        specular_color *= look_up(specular_color_texture, m.specular_color_texture, uv.xy, uv.zw).rgb;
+    if (m.transmission_texture.present != 0u)
+        transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
+#endif
+    transmission *= 1.0 - metallic;
+    Brdf brdf = scale_brdf(make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color), 1.0 - transmission);
 
     // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
     vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));
@@ -56,25 +85,6 @@ void main() {
     bool front = gl_FrontFacing == (handedness > 0.0);
     float side = front ? 1.0 : -1.0;
     vec3 n = facing_normal(shading_normal(geometric * side) * side, geometric, -normalize(from_eye));
-
-    // Factors times textures.
-    float metallic = m.metallic, roughness = m.roughness;
-    if (m.metallic_roughness_texture.present != 0u) {
-        vec4 t = look_up(metallic_roughness_texture, m.metallic_roughness_texture, uv.xy, uv.zw);
-        roughness *= t.g;
-        metallic *= t.b;
-    }
-    float specular = m.specular, transmission = m.transmission;
-    vec3 specular_color = m.specular_color, emission = m.emission;
-    if (m.specular_texture.present != 0u) specular *= look_up(specular_texture, m.specular_texture, uv.xy, uv.zw).a;
-    if (m.specular_color_texture.present != 0u)
-        specular_color *= look_up(specular_color_texture, m.specular_color_texture, uv.xy, uv.zw).rgb;
-    if (m.transmission_texture.present != 0u)
-        transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
-    if (m.emission_texture.present != 0u)
-        emission *= look_up(emission_texture, m.emission_texture, uv.xy, uv.zw).rgb;
-    transmission *= 1.0 - metallic;
-    Brdf brdf = scale_brdf(make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color), 1.0 - transmission);
 
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);

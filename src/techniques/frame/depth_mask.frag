@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#define TEXTURES TEXTURES_ALL
 #include "techniques/frame/material.glsl"
 
 layout(location = 0) in vec4 uv;

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHADOW_MODE SHADOW_HARD
+#include "techniques/frame/direct.glsl"
