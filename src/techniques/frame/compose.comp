@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The frame before the techniques' contributions: direct light, ambient light times accessibility, and the environment
-// where no surface is seen.
+// The frame before the techniques' contributions: direct light, ambient light times accessibility, and the
+// environment where no surface is seen.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adds a batch of lights, with their shadows, to the direct light of every pixel. SHADOW_MODE selects the filter at
-// compile time: CPU drivers execute untaken branches.
+// Adds a batch of lights, with their shadows, to the direct light of every pixel. SHADOW_MODE selects the
+// filter at compile time: CPU drivers execute untaken branches.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/brdf.h"
@@ -38,7 +38,8 @@ float exponential(vec2 texel, float r, float cos_theta, uint map) {
     vec2 corner = floor(texel - 0.5), f = texel - 0.5 - corner;
     vec4 v;
     for (int i = 0; i < 4; ++i)
-        v[i] = esm_visibility(r, stored(ivec2(corner) + ivec2(i & 1, i >> 1), map), p.esm_exponent, cos_theta);
+        v[i] = esm_visibility(r, stored(ivec2(corner) + ivec2(i & 1, i >> 1), map), p.esm_exponent,
+                              cos_theta);
     return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
 }
 
@@ -51,8 +52,7 @@ float visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
         map += face;
     }
     ShadowView view = p.maps[map];
-    float w = dot(vec4(view.world_to_map[0].w, view.world_to_map[1].w, view.world_to_map[2].w, view.world_to_map[3].w),
-                  vec4(position, 1.0));
+    float w = (view.world_to_map * vec4(position, 1.0)).w;
     vec3 receiver = position + n * receiver_offset(view, n, w, shadow_reach(SHADOW_MODE));
     vec4 clip = view.world_to_map * vec4(receiver, 1.0);
     vec3 c = clip.xyz / clip.w;
@@ -70,7 +70,8 @@ void main() {
     if (z <= 0.0) return;
 
     vec3 position = world_position(p.view, vec2(pixel) + 0.5, z);
-    vec3 n = normalize(texelFetch(normal, pixel, 0).xyz), ng = normalize(texelFetch(geometric_normal, pixel, 0).xyz);
+    vec3 n = normalize(texelFetch(normal, pixel, 0).xyz);
+    vec3 ng = normalize(texelFetch(geometric_normal, pixel, 0).xyz);
     vec3 wo = normalize(p.view.position - position);
     vec4 d = texelFetch(diffuse, pixel, 0), s = texelFetch(specular, pixel, 0);
     Brdf brdf = Brdf(d.rgb, s.rgb, vec3(s.a), max(d.a * d.a, MIN_ALPHA));

@@ -33,7 +33,7 @@ layout(location = 3) out vec4 out_geometric_normal;
 layout(location = 4) out float out_depth;
 layout(location = 5) out vec4 out_emission;
 
-// World shading normal of the front side, normal map included. `geometric` is the fallback of degenerate input.
+// World shading normal of the front side, normal map included. `geometric` stands in for degenerate input.
 vec3 shading_normal(vec3 geometric) {
     float length_n = length(normal);
     if (!(length_n > 0.0)) return geometric;
@@ -57,10 +57,12 @@ vec3 shading_normal(vec3 geometric) {
 void main() {
     // Factors times textures.
     vec4 base = m.base_color * color;
-    float metallic = m.metallic, roughness = m.roughness, specular = m.specular, transmission = m.transmission;
+    float metallic = m.metallic, roughness = m.roughness;
+    float specular = m.specular, transmission = m.transmission;
     vec3 specular_color = m.specular_color, emission = m.emission;
 #if TEXTURES != TEXTURES_NONE
-    if (m.base_color_texture.present != 0u) base *= look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw);
+    if (m.base_color_texture.present != 0u)
+        base *= look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw);
     if (m.metallic_roughness_texture.present != 0u) {
         vec4 t = look_up(metallic_roughness_texture, m.metallic_roughness_texture, uv.xy, uv.zw);
         roughness *= t.g;
@@ -70,14 +72,16 @@ void main() {
         emission *= look_up(emission_texture, m.emission_texture, uv.xy, uv.zw).rgb;
 #endif
 #if TEXTURES == TEXTURES_ALL
-    if (m.specular_texture.present != 0u) specular *= look_up(specular_texture, m.specular_texture, uv.xy, uv.zw).a;
+    if (m.specular_texture.present != 0u)
+        specular *= look_up(specular_texture, m.specular_texture, uv.xy, uv.zw).a;
     if (m.specular_color_texture.present != 0u)
         specular_color *= look_up(specular_color_texture, m.specular_color_texture, uv.xy, uv.zw).rgb;
     if (m.transmission_texture.present != 0u)
         transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
 #endif
     transmission *= 1.0 - metallic;
-    Brdf brdf = scale_brdf(make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color), 1.0 - transmission);
+    Brdf whole = make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color);
+    Brdf brdf = scale_brdf(whole, 1.0 - transmission);
 
     // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
     vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));

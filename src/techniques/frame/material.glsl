@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The material of a batch (descriptor set 1) and its base color texture. Define TEXTURES first: what the material may
-// have (CPU drivers execute untaken branches).
+// The material of a batch (descriptor set 1) and its base color texture. Define TEXTURES first: what the
+// material may have (CPU drivers execute untaken branches).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/frame/gpu_scene_params.h"
@@ -16,7 +16,8 @@ layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
 ivec2 wrap_texel(ivec2 texel, TextureRecord use) {
     ivec2 size = ivec2(use.size);
     ivec2 around = (texel + size) % size, inside = clamp(texel, ivec2(0), size - 1);
-    return ivec2(use.wrap_u == WRAP_REPEAT ? around.x : inside.x, use.wrap_v == WRAP_REPEAT ? around.y : inside.y);
+    return ivec2(use.wrap_u == WRAP_REPEAT ? around.x : inside.x,
+                 use.wrap_v == WRAP_REPEAT ? around.y : inside.y);
 }
 
 // Mip 0 exactly as sample_texture in scene/surface.cpp reads it. uv: folded, or repeating within [0, 1).
@@ -37,7 +38,8 @@ vec4 exact_texel(sampler2D image, TextureRecord use, vec2 uv) {
 vec4 look_up(sampler2D image, TextureRecord use, vec2 uv0, vec2 uv1) {
     vec3 uv = vec3(use.set == 0u ? uv0 : uv1, 1.0);
     vec2 t = vec2(dot(use.u_row, uv), dot(use.v_row, uv));
-    vec2 wrapped = vec2(wrap_coordinate(t.x, use.size.x, use.wrap_u), wrap_coordinate(t.y, use.size.y, use.wrap_v));
+    vec2 wrapped = vec2(wrap_coordinate(t.x, use.size.x, use.wrap_u),
+                        wrap_coordinate(t.y, use.size.y, use.wrap_v));
 #if TEXTURES == TEXTURES_COMMON
     return textureGrad(image, wrapped, dFdx(t), dFdy(t));
 #endif
