@@ -32,30 +32,33 @@ ReferenceRequest reference_request(const EvaluationSettings& settings, const Cam
     return request;
 }
 
-// The last frame of a row, its time the median of several.
-RenderResult render_row(Renderer& renderer, TechniqueRow& row, const EvaluationSettings& settings,
-                        const Camera& camera, FrameTime& time) {
-    RenderRequest request;
-    request.camera = camera;
-    request.width = settings.width, request.height = settings.height;
-    for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
+struct RowFrames {
+    RenderResult last;
+    std::vector<std::vector<gpu::PassTime>> times;
+};
 
-    for (int i = 0; i < warm_up_frames; ++i) renderer.render(request);
-    std::vector<std::vector<gpu::PassTime>> frames;
-    RenderResult result;
-    for (int i = 0; i < settings.timed_frames; ++i) {
-        result = renderer.render(request);
-        frames.push_back(result.passes);
-    }
-    time = median_time(frames);
-    return result;
+// The rows take turns, so that what slows the machine for a while slows them all.
+std::vector<RowFrames> render_rows(Renderer& renderer, std::vector<TechniqueRow>& rows,
+                                   const EvaluationSettings& settings, const Camera& camera) {
+    std::vector<RowFrames> frames(rows.size());
+    for (int i = -warm_up_frames; i < settings.timed_frames; ++i)
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            RenderRequest request;
+            request.camera = camera;
+            request.width = settings.width, request.height = settings.height;
+            for (const auto& technique : rows[r].techniques) request.techniques.push_back(technique.get());
+            frames[r].last = renderer.render(request);
+            if (i >= 0) frames[r].times.push_back(frames[r].last.passes);
+        }
+    return frames;
 }
 
-RowResult row_result(const RenderResult& frame, const FrameTime& time) {
+RowResult row_result(const RowFrames& frames) {
+    const FrameTime time = median_time(frames.times);
     RowResult row;
     row.ms = time.ms;
     row.passes = time.passes;
-    row.memory_bytes = frame.memory_bytes;
+    row.memory_bytes = frames.last.memory_bytes;
     return row;
 }
 
@@ -70,24 +73,16 @@ ViewResult evaluate_view(Renderer& renderer, const RayCaster& rays, const Camera
     view.reference_cached = truth.cached;
 
     // Every row sees the same surfaces, so that the baseline's mask is everyone's.
-    std::vector<Image> pictures;
-    Image mask;
-    for (TechniqueRow& row : rows) {
-        FrameTime time;
-        RenderResult frame = render_row(renderer, row, settings, camera, time);
-        view.rows.push_back(row_result(frame, time));
-        pictures.push_back(std::move(frame.radiance));
-        if (mask.empty()) mask = std::move(frame.mask);
-    }
-
-    const Target target = make_target(truth, settings.components, mask);
+    std::vector<RowFrames> frames = render_rows(renderer, rows, settings, camera);
+    const Target target = make_target(truth, settings.components, frames[0].last.mask);
     view.exposure = target.exposure;
     view.noise = target.noise;
     std::vector<Candidate> candidates;
-    for (Image& picture : pictures) candidates.push_back(make_candidate(target, std::move(picture)));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        view.rows[i].figures = measure(target, candidates[0], candidates[i]);
-        view.rows[i].claimed = is_claimed(view.rows[0].figures, view.rows[i].figures, view.noise);
+    for (RowFrames& f : frames) {
+        candidates.push_back(make_candidate(target, std::move(f.last.radiance)));
+        view.rows.push_back(row_result(f));
+        view.rows.back().figures = measure(target, candidates[0], candidates.back());
+        view.rows.back().claimed = is_claimed(view.rows[0].figures, view.rows.back().figures, view.noise);
     }
     sink({view, target, candidates});
     return view;

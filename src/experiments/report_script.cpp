@@ -88,7 +88,7 @@ function verdict() {
     " over the views)" : "";
   return make("p.verdict", {}, strong(best.label), " comes closest to the truth: ", strong(fixed(best.gain, 1) + " %"),
     " of direct light's error is gone on average" + spread + ", " + fixed(100 * best.improved, 1) +
-    " % of the pixels are closer, for ", strong(fixed(best.ms - direct.ms, 1) + " ms"), " a frame on top of " +
+    " % of the pixels are closer, at ", strong(fixed(best.ms, 1) + " ms"), " a frame where direct light alone takes " +
     fixed(direct.ms, 1) + " ms.");
 }
 
