@@ -7,6 +7,9 @@
 extern "C" int dlclose(void*);
 extern "C" int dlclose(void*) { return 0; }
 
-// The validation layer (1.3.239) does not free all that it keeps about objects which were destroyed.
+// The validation layer (1.3.239) does not free all that it keeps about destroyed objects, nor lavapipe (22.3)
+// all that a device had.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libVkLayer_khronos_validation.so\n"; }
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libVkLayer_khronos_validation.so\nleak:libvulkan_lvp.so\n";
+}
