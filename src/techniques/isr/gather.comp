@@ -18,12 +18,11 @@ vec3 position_at(ivec2 coarse, float z) { return world_position(p.view, (vec2(co
 
 // Monte Carlo over the kernel's pixels: E += weight * L_x * projected solid angle of x.
 vec4 calibrated(ivec2 coarse, vec3 x_p, vec3 n_p) {
-    // The pixel's place in its 4x4 block turns the table and scales its radii (weights go with the square).
-    uint place = uint(coarse.x & 3) + 4u * uint(coarse.y & 3);
-    place = (place * 7u + 3u) & 15u;
-    float turn = 2.0 * PI * (float(place) + 0.5) / float(ISR_INTERLEAVE);
-    float stretch = exp(log(p.radius / p.inner_radius) / float(p.taps) * ((float(place ^ 5u) + 0.5) / 16.0 - 0.5));
-    mat2 rotate = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * stretch;
+    // Each pixel turns the table and scales its radii (weights go with the square).
+    IsrJitter jitter = isr_jitter(vec2(coarse));
+    float angle = 2.0 * PI * jitter.turn;
+    float stretch = exp(log(p.radius / p.inner_radius) / float(p.taps) * (jitter.shift - 0.5));
+    mat2 rotate = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * stretch;
     vec3 e = vec3(0);
     float blocked = 0.0;
     for (int i = 0; i < p.taps; ++i) {

@@ -17,7 +17,7 @@ struct IsrOptions {
     IsrResolution resolution = IsrResolution::half;
     float radius = 1.0f; // of the kernel, as a share of the image height
     int bounces = 1;
-    float blur = 1.5f;                 // Gaussian sigma, coarse pixels
+    float blur = 3.0f;                 // Gaussian sigma, coarse pixels
     float grazing = 0.05f;             // least cosine between a patch and the view ray
     float ao_radius = 1.0f;            // meters
     float spacing = 4.0f;              // coarse pixels, mode=thesis only

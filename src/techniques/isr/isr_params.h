@@ -9,8 +9,6 @@ LUXEL_BEGIN
 LUXEL_CONST uint ISR_CALIBRATED = 0u;
 LUXEL_CONST uint ISR_THESIS = 1u;
 LUXEL_CONST int ISR_MAX_TAPS = 512;
-// Rotations of the tap table, one per pixel of a 4x4 block; the blur that follows averages them.
-LUXEL_CONST uint ISR_INTERLEAVE = 16u;
 
 struct IsrParams {
     ViewParams view;    // of the full-size frame
@@ -60,6 +58,19 @@ LUXEL_FN IsrTap log_polar_tap(int i, int count, float inner, float outer, float 
     tap.offset = vec2(r * cos(angle), r * sin(angle));
     tap.weight = 2.0f * PI * r * r * span / float(count);
     return tap;
+}
+
+// How a pixel turns the tap table and moves its radii, both in [0, 1): additive recurrences in x and y, so
+// that the pixels under the blur's kernel cover both evenly. [Roberts2018] for the turn, [Jimenez2014] for
+// the shift.
+struct IsrJitter {
+    float turn, shift;
+};
+LUXEL_FN IsrJitter isr_jitter(vec2 pixel) {
+    IsrJitter j;
+    j.turn = fract(0.75487766f * pixel.x + 0.56984029f * pixel.y);
+    j.shift = fract(52.9829189f * fract(0.06711056f * pixel.x + 0.00583715f * pixel.y));
+    return j;
 }
 
 LUXEL_END
