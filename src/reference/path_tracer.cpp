@@ -95,7 +95,6 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
 void PathTracer::send(Path& path) const {
     if (lights_.has_emitters()) path.emitter = lights_.choose_emitter(path.random.next());
     path.found = intersect(path.ray, path.hit);
-    if (path.found) prefetch_indices(*scene_, path.hit);
 }
 
 Path PathTracer::start(int x, int y, int sample) const {
@@ -146,8 +145,6 @@ void PathTracer::step(Path& path) const {
 void PathTracer::follow(std::span<Path> paths) const {
     bool any = true;
     while (any) {
-        for (const Path& path : paths)
-            if (path.alive && path.found) prefetch_vertices(*scene_, path.hit);
         for (const Path& path : paths)
             if (path.alive && path.found) prefetch_texels(*scene_, path.hit);
         any = false;

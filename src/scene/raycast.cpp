@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 
 #include "core/error.h"
+#include "scene/shading_mesh.h"
 #include "scene/surface.h"
 
 namespace luxel {
@@ -60,6 +61,7 @@ struct RayCaster::Data {
     RTCScene tree = nullptr;
     std::vector<float> winding;         // per instance: -1 where the transform mirrors
     std::vector<MaskedInstance> masked; // per instance, for the filters
+    std::vector<ShadingMesh> shading;   // per instance
 };
 
 void RayCaster::Data::check(const char* what) const {
@@ -74,6 +76,7 @@ void RayCaster::Data::add(std::uint32_t index) {
     const Mesh& mesh = scene->meshes[std::size_t(instance.mesh)];
     winding[index] = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
     if (mesh.indices.empty()) return;
+    shading[index] = shading_mesh(*scene, index);
 
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
@@ -107,6 +110,7 @@ RayCaster::RayCaster(const Scene& scene) : data_(std::make_unique<Data>(scene)) 
     rtcSetSceneFlags(data_->tree, RTC_SCENE_FLAG_ROBUST);
     data_->winding.resize(scene.instances.size());
     data_->masked.resize(scene.instances.size());
+    data_->shading.resize(scene.instances.size());
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) data_->add(i);
     rtcCommitScene(data_->tree);
     data_->check("building the tree");
@@ -130,6 +134,8 @@ bool RayCaster::intersect(const Ray& ray, Hit& hit) const {
     hit.u = query.hit.u, hit.v = query.hit.v;
     hit.geometric_normal =
         glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z) * data_->winding[hit.instance];
+    hit.shading = &data_->shading[hit.instance];
+    prefetch(*hit.shading, hit.triangle);
     return true;
 }
 

@@ -8,6 +8,8 @@
 
 namespace luxel {
 
+struct ShadingMesh;
+
 struct Ray {
     glm::vec3 origin, direction; // direction need not be unit; t is in its length
     float t_min = 0.0f, t_max = 1e30f;
@@ -15,10 +17,11 @@ struct Ray {
 
 struct Hit {
     float t;
-    std::uint32_t instance; // index into Scene::instances
-    std::uint32_t triangle; // within the instance's mesh
-    float u, v;             // barycentric weights of vertices 1 and 2
-    glm::vec3 geometric_normal; // world, not normalized, by the triangle's winding
+    std::uint32_t instance;               // index into Scene::instances
+    std::uint32_t triangle;               // within the instance's mesh
+    float u, v;                           // barycentric weights of vertices 1 and 2
+    glm::vec3 geometric_normal;           // world, not normalized, by the triangle's winding
+    const ShadingMesh* shading = nullptr; // the instance's, for surface_at(); may be absent
 };
 
 class RayCaster {

@@ -2,128 +2,63 @@
 #include "scene/surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "scene/texture_filter.h"
 
 namespace luxel {
 namespace {
 
-struct Corners {
-    std::uint32_t a, b, c;
-    float wa, wb, wc; // barycentric weights
-};
-
-Corners corners_of(const Mesh& mesh, std::uint32_t triangle, glm::vec2 uv) {
-    const std::uint32_t* index = &mesh.indices[std::size_t(triangle) * 3];
-    return {index[0], index[1], index[2], 1.0f - uv.x - uv.y, uv.x, uv.y};
+// A triangle's values at barycentric weights: from an array of its own, or from the mesh through its indices.
+template <class T> T interpolate(const T* values, glm::vec3 weights) {
+    return values[0] * weights.x + values[1] * weights.y + values[2] * weights.z;
 }
+template <class T>
+T interpolate(const Mesh& mesh, const std::vector<T>& values, std::uint32_t triangle, glm::vec3 weights) {
+    const std::uint32_t* i = &mesh.indices[std::size_t(triangle) * 3];
+    return values[i[0]] * weights.x + values[i[1]] * weights.y + values[i[2]] * weights.z;
+}
+
+glm::vec3 weights_of(glm::vec2 uv) { return {1.0f - uv.x - uv.y, uv.x, uv.y}; }
 
 float largest_component(glm::vec3 v) { return std::max(std::max(v.x, v.y), v.z); }
 
-template <class T> T interpolate(const std::vector<T>& values, const Corners& k) {
-    return values[k.a] * k.wa + values[k.b] * k.wb + values[k.c] * k.wc;
-}
-
-// Texel indices on one axis and the weight of the second, as Vulkan's linear filter defines them.
-struct Taps {
-    int first, second;
-    float weight;
-};
-
-// std::floor is a call on processors without SSE 4.1.
-float floor_of(float x) {
-    if (!(std::abs(x) < 8388608.0f)) return x; // no fraction left
-    float truncated = float(int(x));
-    return truncated > x ? truncated - 1.0f : truncated;
-}
-
-Taps taps(float coordinate, int size, Wrap wrap) {
-    // Bring the coordinate into one period first, so that its fraction keeps its bits.
-    if (wrap == Wrap::repeat) coordinate -= floor_of(coordinate);
-    if (wrap == Wrap::mirror) {
-        coordinate -= 2.0f * floor_of(coordinate * 0.5f);
-        if (coordinate > 1.0f) coordinate = 2.0f - coordinate;
+// The hit's triangle, from the ray caster's copy where there is one.
+struct Corners {
+    Corners(const Scene& s, const Hit& h) : scene(s), hit(h), weights(weights_of({h.u, h.v})) {
+        if (!h.shading) local = shading_triangle(s, h.instance, h.triangle);
     }
-    float x = glm::clamp(coordinate, -1.0f, 2.0f) * float(size) - 0.5f;
-    float low = floor_of(x);
-    int first = int(low), second = first + 1;
-
-    // Beside the border, repeating goes on at the other end; mirroring and clamping see the border texel
-    // twice.
-    if (wrap == Wrap::repeat) {
-        if (first < 0) first += size;
-        if (second >= size) second -= size;
+    const ShadingTriangle& triangle() const {
+        return hit.shading ? hit.shading->triangles[hit.triangle] : local;
     }
-    return {glm::clamp(first, 0, size - 1), glm::clamp(second, 0, size - 1), x - low};
-}
-
-// 8-bit codes to linear values, for both kinds of texture.
-struct DecodeTables {
-    std::array<float, 256> srgb, linear;
-    DecodeTables() {
-        for (int i = 0; i < 256; ++i) {
-            linear[std::size_t(i)] = float(i) / 255.0f;
-            srgb[std::size_t(i)] = srgb_decode(linear[std::size_t(i)]);
-        }
+    ShadingTangents tangents() const {
+        return hit.shading ? hit.shading->tangents[hit.triangle]
+                           : shading_tangents(scene, hit.instance, hit.triangle);
     }
+    const Scene& scene;
+    const Hit& hit;
+    glm::vec3 weights;
+    ShadingTriangle local;
 };
-const DecodeTables& decode_tables() {
-    static const DecodeTables tables;
-    return tables;
-}
-
-const std::uint8_t* texel_address(const Texture& texture, int x, int y) {
-    const Pixels8& p = texture.pixels;
-    return &p.rgba[(std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4];
-}
-
-glm::vec4 texel(const Texture& texture, const std::array<float, 256>& color, int x, int y) {
-    const std::uint8_t* t = texel_address(texture, x, y);
-    return {color[t[0]], color[t[1]], color[t[2]], float(t[3]) * (1.0f / 255.0f)};
-}
-
-// The texels that a lookup will read. Finding them is apart from reading them because the first read of each
-// misses the cache: all are asked for at once, and fetched while geometry is computed.
-struct Footprint {
-    const Texture* texture = nullptr;
-    Taps x, y; // unset without a texture
-};
-
-Footprint footprint(const Texture& texture, glm::vec2 uv) {
-    return {&texture, taps(uv.x, texture.pixels.width, texture.wrap_u),
-            taps(uv.y, texture.pixels.height, texture.wrap_v)};
-}
-
-glm::vec4 filter(const Footprint& f) {
-    const DecodeTables& tables = decode_tables();
-    const std::array<float, 256>& color = f.texture->srgb ? tables.srgb : tables.linear;
-    if (f.texture->nearest)
-        return texel(*f.texture, color, f.x.weight < 0.5f ? f.x.first : f.x.second,
-                     f.y.weight < 0.5f ? f.y.first : f.y.second);
-    glm::vec4 top = glm::mix(texel(*f.texture, color, f.x.first, f.y.first),
-                             texel(*f.texture, color, f.x.second, f.y.first), f.x.weight);
-    glm::vec4 bottom = glm::mix(texel(*f.texture, color, f.x.first, f.y.second),
-                                texel(*f.texture, color, f.x.second, f.y.second), f.x.weight);
-    return glm::mix(top, bottom, f.y.weight);
-}
 
 // What a slot reads at a hit whose coordinates of both sets are `uv`.
 Footprint locate(const Scene& scene, const TextureUse& use, const glm::vec2 (&uv)[2]) {
     if (use.texture < 0) return {};
     glm::vec2 transformed(use.transform * glm::vec3(uv[use.set], 1.0f));
     Footprint f = footprint(scene.textures[std::size_t(use.texture)], transformed);
-    __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.first));
-    __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.second));
+    prefetch(f);
     return f;
 }
 
-struct Texcoords {
-    Texcoords(const Mesh& mesh, const Corners& k) {
-        for (int set : {0, 1})
-            uv[set] = mesh.texcoords[set].empty() ? glm::vec2(0.0f) : interpolate(mesh.texcoords[set], k);
-    }
-    glm::vec2 uv[2];
-};
+// One slot of a triangle that is known by its indices only.
+glm::vec4 look_up(const Scene& scene, const Mesh& mesh, std::uint32_t triangle, glm::vec3 weights,
+                  const TextureUse& use) {
+    if (use.texture < 0) return glm::vec4(1.0f);
+    const std::vector<glm::vec2>& texcoords = mesh.texcoords[use.set];
+    glm::vec2 at = texcoords.empty() ? glm::vec2(0.0f) : interpolate(mesh, texcoords, triangle, weights);
+    return sample_texture(scene.textures[std::size_t(use.texture)],
+                          glm::vec2(use.transform * glm::vec3(at, 1.0f)));
+}
 
 bool is_textured(const Material& m) {
     int all = -1; // stays negative as long as every index is
@@ -134,60 +69,39 @@ bool is_textured(const Material& m) {
     return all >= 0;
 }
 
-glm::vec4 look_up(const Scene& scene, const Mesh& mesh, const Corners& corners, const TextureUse& use) {
-    return use.texture < 0 ? glm::vec4(1.0f) : filter(locate(scene, use, Texcoords(mesh, corners).uv));
-}
-
+// What all slots of the material read at a hit.
 struct MaterialFootprints {
-    MaterialFootprints(const Scene& scene, const Mesh& mesh, const Material& m, const Corners& k) {
+    MaterialFootprints(const Mesh& mesh, const Material& m, const Corners& k) {
         if (!is_textured(m)) return;
-        const Texcoords t(mesh, k);
-        base_color = locate(scene, m.base_color_texture, t.uv);
-        normal = locate(scene, m.normal_texture, t.uv);
-        metallic_roughness = locate(scene, m.metallic_roughness_texture, t.uv);
-        emission = locate(scene, m.emission_texture, t.uv);
-        specular = locate(scene, m.specular_texture, t.uv);
-        specular_color = locate(scene, m.specular_color_texture, t.uv);
-        transmission = locate(scene, m.transmission_texture, t.uv);
+        glm::vec2 uv[2] = {interpolate(k.triangle().texcoords, k.weights), glm::vec2(0.0f)};
+        if (!mesh.texcoords[1].empty())
+            uv[1] = interpolate(mesh, mesh.texcoords[1], k.hit.triangle, k.weights);
+        base_color = locate(k.scene, m.base_color_texture, uv);
+        normal = locate(k.scene, m.normal_texture, uv);
+        metallic_roughness = locate(k.scene, m.metallic_roughness_texture, uv);
+        emission = locate(k.scene, m.emission_texture, uv);
+        specular = locate(k.scene, m.specular_texture, uv);
+        specular_color = locate(k.scene, m.specular_color_texture, uv);
+        transmission = locate(k.scene, m.transmission_texture, uv);
     }
     Footprint base_color, normal, metallic_roughness, emission, specular, specular_color, transmission;
 };
 
-template <class T> void prefetch(const std::vector<T>& values, const Corners& k) {
-    if (values.empty()) return;
-    for (std::uint32_t i : {k.a, k.b, k.c}) __builtin_prefetch(&values[i]);
-}
-
-void prefetch_corners(const Mesh& mesh, const Material& material, const Corners& k) {
-    prefetch(mesh.positions, k), prefetch(mesh.normals, k), prefetch(mesh.colors, k);
-    if (is_textured(material)) prefetch(mesh.texcoords[0], k), prefetch(mesh.tangents, k);
-}
-
-// Rows are cross products of the columns: inverse transpose up to a positive factor, also for mirroring
-// transforms.
-glm::mat3 normal_matrix(const glm::mat4& transform, float& handedness) {
-    glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);
-    glm::mat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-    handedness = glm::dot(x, cofactors[0]) < 0.0f ? -1.0f : 1.0f;
-    return cofactors * handedness;
-}
-
-glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Instance& instance,
-                         const Corners& corners, const Footprint& normal_map, glm::vec3 geometric_normal) {
-    float handedness = 1.0f;
-    glm::vec3 n = normal_matrix(instance.transform, handedness) * interpolate(mesh.normals, corners);
+glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Corners& corners,
+                         const Footprint& normal_map, glm::vec3 geometric_normal) {
+    glm::vec3 n = interpolate(corners.triangle().normals, corners.weights);
     float length = glm::length(n);
     if (!(length > 0.0f)) return geometric_normal; // opposite vertex normals that cancel
     n /= length;
     if (!normal_map.texture || mesh.tangents.empty()) return n;
 
-    // Tangent frame as glTF defines it; a mirroring transform turns the bitangent around.
-    glm::vec4 tangent = interpolate(mesh.tangents, corners);
-    glm::vec3 t = glm::mat3(instance.transform) * glm::vec3(tangent);
+    // Tangent frame as glTF defines it.
+    glm::vec4 tangent = interpolate(corners.tangents().data(), corners.weights);
+    glm::vec3 t(tangent);
     float tangent_length = glm::length(t);
     if (!(tangent_length > 0.0f)) return n;
     t /= tangent_length;
-    glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -handedness : handedness);
+    glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -1.0f : 1.0f);
     glm::vec3 m = glm::vec3(filter(normal_map)) * 2.0f - 1.0f;
     glm::vec3 bent = t * (m.x * material.normal_scale) + b * (m.y * material.normal_scale) + n * m.z;
     float bent_length = glm::length(bent);
@@ -195,19 +109,17 @@ glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Insta
 }
 
 // Position, geometric normal and the clearance that their rounding asks for.
-void place(Surface& s, const Mesh& mesh, const glm::mat4& transform, const Hit& hit, const Corners& k) {
-    glm::vec3 a = transform_point(transform, mesh.positions[k.a]);
-    glm::vec3 b = transform_point(transform, mesh.positions[k.b]);
-    glm::vec3 c = transform_point(transform, mesh.positions[k.c]);
+void place(Surface& s, const Corners& corners) {
+    const glm::vec3 &a = corners.triangle().positions[0], &b = corners.triangle().positions[1],
+                    &c = corners.triangle().positions[2];
     s.offset = clearance(largest_component(glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c))));
-    s.geometric_normal = glm::normalize(hit.geometric_normal);
+    s.geometric_normal = glm::normalize(corners.hit.geometric_normal);
 
     // At an edge the same rounding could carry the point past the wall that meets it there: draw it inward by
     // a few clearances.
     float extent = largest_component(glm::max(glm::abs(b - a), glm::abs(c - a)));
     float inward = std::min(4.0f * s.offset / std::max(extent, 1e-30f), 0.1f) / 3.0f;
-    float keep = 1.0f - 3.0f * inward;
-    s.position = a * (k.wa * keep + inward) + b * (k.wb * keep + inward) + c * (k.wc * keep + inward);
+    s.position = interpolate(corners.triangle().positions, corners.weights * (1.0f - 3.0f * inward) + inward);
 }
 
 // Factors times textures, and the lobes they make.
@@ -215,7 +127,8 @@ void shade(Surface& s, const Mesh& mesh, const Material& material, const Materia
            const Corners& corners) {
     s.base_color = glm::vec3(material.base_color);
     if (textures.base_color.texture) s.base_color *= glm::vec3(filter(textures.base_color));
-    if (!mesh.colors.empty()) s.base_color *= glm::vec3(interpolate(mesh.colors, corners));
+    if (!mesh.colors.empty())
+        s.base_color *= glm::vec3(interpolate(mesh, mesh.colors, corners.hit.triangle, corners.weights));
     s.metallic = material.metallic, s.roughness = material.roughness;
     if (textures.metallic_roughness.texture) {
         glm::vec4 t = filter(textures.metallic_roughness);
@@ -241,53 +154,40 @@ glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv) { return filter(f
 glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
-    if (material.emission_texture.texture < 0) return material.emission;
-    Corners corners = corners_of(mesh, triangle, uv);
-    return material.emission * glm::vec3(look_up(scene, mesh, corners, material.emission_texture));
+    return material.emission *
+           glm::vec3(look_up(scene, mesh, triangle, weights_of(uv), material.emission_texture));
 }
 
 bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
     if (material.alpha_mode == AlphaMode::opaque) return false;
-    Corners corners = corners_of(mesh, triangle, uv);
-    float alpha = material.base_color.a * look_up(scene, mesh, corners, material.base_color_texture).a;
-    if (!mesh.colors.empty()) alpha *= interpolate(mesh.colors, corners).a;
+    const glm::vec3 weights = weights_of(uv);
+    float alpha =
+        material.base_color.a * look_up(scene, mesh, triangle, weights, material.base_color_texture).a;
+    if (!mesh.colors.empty()) alpha *= interpolate(mesh, mesh.colors, triangle, weights).a;
     return alpha < (material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 0.5f);
-}
-
-void prefetch_indices(const Scene& scene, const Hit& hit) {
-    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-    __builtin_prefetch(&mesh.indices[std::size_t(hit.triangle) * 3]);
-}
-
-void prefetch_vertices(const Scene& scene, const Hit& hit) {
-    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-    const Material& material = scene.materials[std::size_t(mesh.material)];
-    prefetch_corners(mesh, material, corners_of(mesh, hit.triangle, {hit.u, hit.v}));
 }
 
 void prefetch_texels(const Scene& scene, const Hit& hit) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-    const Material& material = scene.materials[std::size_t(mesh.material)];
-    MaterialFootprints(scene, mesh, material, corners_of(mesh, hit.triangle, {hit.u, hit.v}));
+    MaterialFootprints(mesh, scene.materials[std::size_t(mesh.material)], Corners(scene, hit));
 }
 
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
-    const Instance& instance = scene.instances[hit.instance];
-    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
-    Corners corners = corners_of(mesh, hit.triangle, {hit.u, hit.v});
-    MaterialFootprints textures(scene, mesh, material, corners);
+    const Corners corners(scene, hit);
+    const MaterialFootprints textures(mesh, material, corners);
 
     Surface s;
     s.material = &material;
-    place(s, mesh, instance.transform, hit, corners);
+    place(s, corners);
     s.front = glm::dot(s.geometric_normal, direction) < 0.0f;
 
     // Bend on the side that the ray sees, then turn back.
     float side = s.front ? 1.0f : -1.0f;
-    glm::vec3 n = shading_normal(mesh, material, instance, corners, textures.normal, s.geometric_normal);
+    glm::vec3 n = shading_normal(mesh, material, corners, textures.normal, s.geometric_normal);
     s.normal = shared::facing_normal(n * side, s.geometric_normal * side, -glm::normalize(direction)) * side;
     shade(s, mesh, material, textures, corners);
     return s;

@@ -3,6 +3,7 @@
 #pragma once
 #include "scene/raycast.h"
 #include "scene/scene.h"
+#include "scene/shading_mesh.h"
 #include "shared/brdf.h"
 
 namespace luxel {
@@ -27,10 +28,7 @@ struct Surface {
 // direction: of the ray that hit.
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction);
 
-// Hints that surface_at() will be asked for this hit. Each reads what the one before it asked for: with other
-// work between them, nobody waits for memory.
-void prefetch_indices(const Scene& scene, const Hit& hit);
-void prefetch_vertices(const Scene& scene, const Hit& hit);
+// Hint that surface_at() will be asked for this hit: with other work before that, nobody waits for textures.
 void prefetch_texels(const Scene& scene, const Hit& hit);
 
 // Radiance that leaves the front of a triangle at barycentric (u, v).
@@ -41,11 +39,6 @@ bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t tr
 
 // RGBA in [0, 1], linear (srgb textures decoded). Texel (0, 0) is the top left; uv (0, 0) is its corner.
 glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv);
-
-// The one way a position gets to world space: equal inputs give equal bits everywhere.
-inline glm::vec3 transform_point(const glm::mat4& m, glm::vec3 p) {
-    return glm::vec3(m[0]) * p.x + glm::vec3(m[1]) * p.y + glm::vec3(m[2]) * p.z + glm::vec3(m[3]);
-}
 
 // Outside this distance from a triangle whose largest vertex coordinate is `magnitude`, rounding cannot put a
 // ray's origin on the wrong side of it.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/shading_mesh.h"
+
 namespace luxel {
 namespace {
 
@@ -128,6 +130,25 @@ TEST(Surface, NormalMapFollowsTheTangentFrame) {
     s = look(scene, {0.25f, 0.25f, -1.0f}, {0, 0, 1});
     EXPECT_FALSE(s.front);
     EXPECT_NEAR(glm::length(s.normal - m), 0.0f, 1e-5f);
+}
+
+// The ray caster's copy of a triangle is a shortcut, not another surface.
+TEST(Surface, IsTheSameFromTheMeshAndFromTheCopy) {
+    Scene scene = textured_triangle();
+    scene.textures.push_back({"normal", {1, 1, {204, 179, 216, 255}, false}});
+    scene.materials[0].normal_texture.texture = scene.materials[0].base_color_texture.texture = 0;
+    scene.instances[0].transform = glm::mat4(glm::mat3(-2, 0.5f, 0, 0, 1, 0.3f, 0.1f, 0, 3));
+    RayCaster rays(scene);
+    Hit hit;
+    glm::vec3 inside = transform_point(scene.instances[0].transform, {0.2f, 0.3f, 0});
+    ASSERT_TRUE(rays.intersect({inside + glm::vec3(0, 0, 1), {0, 0, -1}}, hit));
+    Surface copied = surface_at(scene, hit, {0, 0, -1});
+    hit.shading = nullptr;
+    Surface direct = surface_at(scene, hit, {0, 0, -1});
+    EXPECT_EQ(copied.position, direct.position);
+    EXPECT_EQ(copied.normal, direct.normal);
+    EXPECT_EQ(copied.base_color, direct.base_color);
+    EXPECT_NE(copied.normal, copied.geometric_normal) << "the normal map must have done something";
 }
 
 TEST(Surface, ShadingNormalFacesTheRay) {
