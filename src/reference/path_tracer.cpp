@@ -141,10 +141,13 @@ void PathTracer::step(Path& path) const {
     path.alive = true;
 }
 
-// Paths side by side: what one needs from memory is asked for, and arrives while the others are advanced.
+// Paths side by side: what their next surfaces need from memory is asked for at once instead of one after the
+// other.
 void PathTracer::follow(std::span<Path> paths) const {
     bool any = true;
     while (any) {
+        for (const Path& path : paths)
+            if (path.alive && path.found) load_triangle(path.hit);
         for (const Path& path : paths)
             if (path.alive && path.found) prefetch_texels(*scene_, path.hit);
         any = false;

@@ -120,7 +120,7 @@ private:
     glm::vec3 emission_met(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi,
                            float bsdf_pdf) const;
 
-    static constexpr int paths_side_by_side = 8;
+    static constexpr int paths_side_by_side = 16;
     Path start(int x, int y, int sample) const; // up to the first hit
     void follow(std::span<Path> paths) const;   // to their ends
     void step(Path& path) const;                // past one surface

@@ -17,7 +17,7 @@
 namespace luxel {
 namespace {
 
-constexpr int width = 128, height = 96, tile = 16, samples = 8;
+constexpr int width = 128, height = 96, tile = 16, samples = 16;
 constexpr std::size_t tiles = std::size_t(width / tile) * std::size_t(height / tile);
 
 ReferenceRequest request_for(const Scene& scene, int w, int h) {

@@ -29,6 +29,7 @@ ShadingTriangle shading_triangle(const Scene& scene, std::uint32_t instance, std
 ShadingTangents shading_tangents(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
 ShadingMesh shading_mesh(const Scene& scene, std::uint32_t instance);
 
+// Asks for what surface_at() reads of a triangle.
 inline void prefetch(const ShadingMesh& mesh, std::uint32_t triangle) {
     const char* start = reinterpret_cast<const char*>(&mesh.triangles[triangle]);
     __builtin_prefetch(start), __builtin_prefetch(start + sizeof(ShadingTriangle) - 1);

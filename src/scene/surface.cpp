@@ -45,9 +45,7 @@ struct Corners {
 Footprint locate(const Scene& scene, const TextureUse& use, const glm::vec2 (&uv)[2]) {
     if (use.texture < 0) return {};
     glm::vec2 transformed(use.transform * glm::vec3(uv[use.set], 1.0f));
-    Footprint f = footprint(scene.textures[std::size_t(use.texture)], transformed);
-    prefetch(f);
-    return f;
+    return footprint(scene.textures[std::size_t(use.texture)], transformed);
 }
 
 // One slot of a triangle that is known by its indices only.
@@ -169,9 +167,20 @@ bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t tr
     return alpha < (material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 0.5f);
 }
 
+void load_triangle(const Hit& hit) {
+    if (!hit.shading) return;
+    const auto* first = reinterpret_cast<const volatile char*>(&hit.shading->triangles[hit.triangle]);
+    static_cast<void>(first[0]), static_cast<void>(first[sizeof(ShadingTriangle) - 1]);
+}
+
 void prefetch_texels(const Scene& scene, const Hit& hit) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-    MaterialFootprints(mesh, scene.materials[std::size_t(mesh.material)], Corners(scene, hit));
+    const Material& material = scene.materials[std::size_t(mesh.material)];
+    if (!is_textured(material)) return;
+    const MaterialFootprints f(mesh, material, Corners(scene, hit));
+    for (const Footprint* slot : {&f.base_color, &f.normal, &f.metallic_roughness, &f.emission, &f.specular,
+                                  &f.specular_color, &f.transmission})
+        prefetch(*slot);
 }
 
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {

@@ -28,7 +28,10 @@ struct Surface {
 // direction: of the ray that hit.
 Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction);
 
-// Hint that surface_at() will be asked for this hit: with other work before that, nobody waits for textures.
+// Hints that surface_at() will be asked for these hits: call the first for many hits, then the second, then
+// look the surfaces up, and what they wait for from memory arrives for all at once. (The first loads, for the
+// prefetch of RayCaster::intersect() alone was measured to gain little: the address misses the TLB too.)
+void load_triangle(const Hit& hit);
 void prefetch_texels(const Scene& scene, const Hit& hit);
 
 // Radiance that leaves the front of a triangle at barycentric (u, v).

@@ -80,6 +80,7 @@ glm::vec4 filter(const Footprint& f) {
 }
 
 void prefetch(const Footprint& f) {
+    if (!f.texture) return;
     __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.first));
     __builtin_prefetch(texel_address(*f.texture, f.x.first, f.y.second));
 }

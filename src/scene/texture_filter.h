@@ -11,15 +11,15 @@ struct Taps {
     float weight;
 };
 
-// The texels that a lookup will read. Finding them is apart from reading them because the first read of each
-// misses the cache: all are asked for at once, and fetched while geometry is computed.
+// The texels that a lookup will read. Finding them is apart from reading them, so that they can be fetched
+// early.
 struct Footprint {
     const Texture* texture = nullptr;
     Taps x, y; // unset without a texture
 };
 
 Footprint footprint(const Texture& texture, glm::vec2 uv);
-void prefetch(const Footprint& footprint);    // with a texture
+void prefetch(const Footprint& footprint);    // also without
 glm::vec4 filter(const Footprint& footprint); // with a texture: as sample_texture()
 
 } // namespace luxel
