@@ -52,8 +52,8 @@ void add(ContentKey& key, const shared::Light& l) {
 
 } // namespace
 
-// Multiply and rotate, eight bytes at a time; the finalizer of [Stafford2011] spreads every word over all
-// bits.
+// Rotate, mix and multiply, eight bytes at a time; the shift brings high bits down to where the next word
+// enters.
 void ContentKey::add_bytes(const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
     while (size > 0) {

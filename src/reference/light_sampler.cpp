@@ -61,7 +61,7 @@ LightArrival LightSampler::sample_emitter(std::size_t emitter, glm::vec3 from, g
     const EmissiveTriangle& t = e.triangle;
     LightArrival arrival{{}, {}, false, glm::vec3(0.0f), 0.0f};
 
-    // Uniform on the triangle [Shirley1997].
+    // Uniform on the triangle [Turk1990].
     float root = std::sqrt(u.x);
     glm::vec2 uv(root * (1.0f - u.y), root * u.y);
     glm::vec3 point = t.a * (1.0f - uv.x - uv.y) + t.b * uv.x + t.c * uv.y;
