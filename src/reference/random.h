@@ -11,17 +11,17 @@ namespace luxel {
 class Random {
 public:
     Random(shared::uint pixel, shared::uint sample, shared::uint seed)
-        : key_(shared::hash3(pixel, sample & 1u, seed)), index_(sample >> 1u) {}
+        : key_(shared::hash3(pixel, sample & 1u, seed)), reversed_index_(reversed(sample >> 1u)) {}
 
     // [0, 1)
     float next() {
         const shared::uint key = shared::hash2(key_, dimension_++);
-        return shared::uniform_float(scrambled(reversed(ordered(key)), shared::pcg(key + 1u)));
+        return shared::uniform_float(scrambled(ordered(key), shared::pcg(key + 1u)));
     }
     glm::vec2 next2() {
         const shared::uint key = shared::hash2(key_, dimension_++), i = ordered(key);
-        return {shared::uniform_float(scrambled(reversed(i), shared::pcg(key + 1u))),
-                shared::uniform_float(scrambled(sobol(i), shared::pcg(key + 2u)))};
+        return {shared::uniform_float(scrambled(i, shared::pcg(key + 1u))),
+                shared::uniform_float(scrambled(reversed_sobol(i), shared::pcg(key + 2u)))};
     }
 
 private:
@@ -32,10 +32,11 @@ private:
         v = ((v & 0x33333333u) << 2u) | ((v & 0xccccccccu) >> 2u);
         return ((v & 0x55555555u) << 1u) | ((v & 0xaaaaaaaau) >> 1u);
     }
-    // Second dimension of the Sobol sequence.
-    static shared::uint sobol(shared::uint i) {
+    // Second dimension of the Sobol sequence, its bits in reverse. (The first is the index itself, reversed
+    // twice.)
+    static shared::uint reversed_sobol(shared::uint i) {
         shared::uint value = 0;
-        for (shared::uint direction = 1u << 31u; i != 0; i >>= 1u, direction ^= direction >> 1u)
+        for (shared::uint direction = 1; i != 0; i >>= 1u, direction ^= direction << 1u)
             if ((i & 1u) != 0) value ^= direction;
         return value;
     }
@@ -47,14 +48,14 @@ private:
         v ^= v * 0x05526c56u;
         return v ^ (v * 0x53a22864u);
     }
-    // Owen scrambling: each bit by the bits above it.
-    static shared::uint scrambled(shared::uint v, shared::uint seed) {
-        return reversed(permuted(reversed(v), seed));
+    // Owen scrambling of a number whose bits come in reverse: each by those that are above it in the result.
+    static shared::uint scrambled(shared::uint bits, shared::uint seed) {
+        return reversed(permuted(bits, seed));
     }
     // The sample's place in the sequence, shuffled so that pairs do not follow each other.
-    shared::uint ordered(shared::uint key) const { return scrambled(index_, key); }
+    shared::uint ordered(shared::uint key) const { return scrambled(reversed_index_, key); }
 
-    shared::uint key_, index_, dimension_ = 0;
+    shared::uint key_, reversed_index_, dimension_ = 0;
 };
 
 } // namespace luxel
