@@ -44,7 +44,7 @@ std::vector<BadScene> bad_scenes() {
     return {
         {"empty", "empty.gltf", ""},
         {"empty_binary", "empty.glb", ""},
-        {"truncated_binary", "cut.glb", std::string("glTF\2\0\0\0\0\1\0\0\x40\0\0\0JSON{\"asset\"", 31)},
+        {"truncated_binary", "cut.glb", std::string("glTF\2\0\0\0\0\1\0\0\x40\0\0\0JSON{\"asset\"", 28)},
         {"nested_brackets", "deep.gltf", std::string(1 << 20, '[')},
         {"accessor_out_of_range", "accessor.gltf",
          damaged([](Json& j) { j["accessors"][0]["count"] = 1 << 30; })},
