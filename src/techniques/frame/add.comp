@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adds a technique's contribution to the frame.
+// Adds the color of one image to another, whose alpha stays.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D contribution;

@@ -97,12 +97,10 @@ gpu::Image reflect(Recorder& recorder, const gpu::Image& irradiance, const gpu::
     return source;
 }
 
-// a + b, with the accessibility of a.
-gpu::Image add(Recorder& recorder, const gpu::Image& a, const gpu::Image& b) {
-    gpu::Image sum = recorder.image(a.info(), "isr irradiance of all bounces");
-    recorder.dispatch("isr/add.comp", extent_of(sum), Recorder::NoParams{},
-                      {{"a", a}, {"b", b}, {"sum", sum}});
-    return sum;
+// sum += bounce, with the accessibility that the sum has.
+void add(Recorder& recorder, const gpu::Image& bounce, const gpu::Image& sum) {
+    recorder.dispatch("frame/add.comp", extent_of(sum), Recorder::NoParams{},
+                      {{"contribution", bounce}, {"radiance", sum}});
 }
 
 } // namespace
@@ -167,7 +165,7 @@ Contribution Isr::render(Recorder& recorder, const Frame& frame) {
     for (int i = 1; i < options_.bounces; ++i) {
         coarse.source = reflect(recorder, bounce, coarse.albedo);
         bounce = blur(recorder, gather(recorder, coarse, taps, p), coarse.receiver, filter);
-        irradiance = add(recorder, irradiance, bounce);
+        add(recorder, bounce, irradiance);
     }
     return compose(recorder, frame, irradiance, coarse.receiver);
 }
