@@ -36,6 +36,7 @@ bool has_type(const Json& value, const std::string& type) {
     if (type == "number") return value.is_number();
     if (type == "number or null") return value.is_number() || value.is_null();
     if (type == "boolean") return value.is_boolean();
+    if (type == "object or null") return value.is_object() || value.is_null();
     if (type == "object") return value.is_object();
     if (type.starts_with("array")) return value.is_array();
     if (type == "[integer, integer]")
@@ -165,6 +166,33 @@ TEST_F(ResultsTest, ASecondRunTakesTheReferenceFromTheCache) {
     EXPECT_FALSE(results("c").at("views")[0].at("reference").at("cached"));
     ASSERT_EQ(evaluate("d", {"--component", "diffuse1"}).code, 0);
     EXPECT_TRUE(results("d").at("views")[0].at("reference").at("cached"));
+}
+
+TEST_F(ResultsTest, OcclusionAsTruthIsMeasuredOnLinearAccessibility) {
+    ASSERT_EQ(evaluate("a", {"--component", "ao", "--ao-radius", "0.5", "--ao-membership", "cubic", "--use",
+                             "isr:ao_radius=0.5"})
+                  .code,
+              0);
+    const Json json = results("a"), view = json.at("views")[0];
+    EXPECT_EQ(json.at("ao"), Json({{"radius", 0.5}, {"membership", "cubic"}}));
+    EXPECT_EQ(view.at("exposure"), 1);
+
+    // Against an image that is open everywhere, delta is the mean occlusion, which RMSE bounds.
+    const Json open = view.at("techniques")[0], isr = view.at("techniques")[2];
+    EXPECT_EQ(open.at("rho"), 0);
+    EXPECT_GT(open.at("delta"), 0.001);
+    EXPECT_LT(open.at("delta"), 0.3);
+    EXPECT_GE(open.at("rmse"), open.at("delta"));
+    EXPECT_GT(isr.at("rho"), 0.2);
+
+    // Light is no part of it.
+    ASSERT_EQ(evaluate("b").code, 0);
+    EXPECT_TRUE(results("b").at("ao").is_null());
+    const ProcessResult misplaced = evaluate("c", {"--ao-radius", "1"});
+    EXPECT_EQ(misplaced.code, 2);
+    EXPECT_EQ(misplaced.error_lines(), 1u) << misplaced.error;
+    EXPECT_EQ(evaluate("d", {"--component", "ao", "--ao-membership", "wide"}).code, 2);
+    EXPECT_EQ(evaluate("e", {"--component", "ao+direct"}).code, 2);
 }
 
 TEST_F(ResultsTest, ADamagedCacheIsRebuiltWithAWarning) {

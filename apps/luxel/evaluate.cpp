@@ -21,15 +21,29 @@ struct Options {
     EvaluationSettings settings;
     std::vector<std::string> use;
     std::string component = "direct+diffuse1", size = "640x480", frame, reference_lights = "same", output,
-                cache;
+                cache, ao_radius, ao_membership;
     bool no_cache = false, verbose = false;
 };
+
+// --ao-radius and --ao-membership are parameters of the reference, with its ranges and names.
+void set_ao(EvaluationSettings& settings, const Options& o) {
+    std::vector<std::pair<std::string, std::string>> values;
+    if (!o.ao_radius.empty()) values.emplace_back("ao_radius", o.ao_radius);
+    if (!o.ao_membership.empty()) values.emplace_back("ao_membership", o.ao_membership);
+    if (!values.empty() && !is_accessibility(settings.components))
+        fail(Fault::usage, "--ao-radius, --ao-membership: only --component ao has them");
+    ReferenceSettings reference;
+    set_parameters(reference, "--component ao", values);
+    settings.ao_radius = reference.ao_radius;
+    settings.ao_membership = reference.ao_membership;
+}
 
 EvaluationSettings settings_of(const Options& o, const Global& global) {
     EvaluationSettings s = o.settings;
     const Size size = parse_size(o.size);
     s.width = size.width, s.height = size.height;
     s.components = parse_components(o.component);
+    set_ao(s, o);
     set_parameters(s.frame, "--frame", parse_values("--frame", o.frame));
     s.views.seed = std::uint32_t(s.seed);
     s.true_environment = o.reference_lights == "true";
@@ -57,12 +71,23 @@ void run(const Options& o, const Global& global) {
                (output.path() / "report.html").string());
 }
 
+std::string ao_memberships() {
+    ReferenceSettings reference;
+    for (const ParameterInfo& p : parameters_of(reference))
+        if (p.name == "ao_membership") return p.allowed + " (default " + p.value + ")";
+    return {};
+}
+
 void add_measurement_options(CLI::App& command, Options& o) {
     command
         .add_option("--component", o.component,
                     "Light paths of the truth, may be a sum: " +
                         fmt::format("{}", fmt::join(component_names, ", ")))
         ->capture_default_str();
+    command.add_option("--ao-radius", o.ao_radius,
+                       "Of --component ao, meters (default 1); give the rows the same");
+    command.add_option("--ao-membership", o.ao_membership,
+                       "Of --component ao: an occluder's weight by distance: " + ao_memberships());
     command.add_option("--spp", o.settings.spp, "Samples a pixel of the truth")
         ->check(CLI::Range(2, 1 << 20))
         ->capture_default_str();
@@ -111,9 +136,12 @@ void add_evaluate(CLI::App& app, const Global& global) {
         "Direct light alone is always the first row. The truth is path traced at pixel centers, where the\n"
         "frame samples, and stored by its content for the next run. Gains smaller than the truth's own\n"
         "noise are marked ~.\n"
+        "--component ao measures the accessibility that rows multiply ambient light by, not light: its\n"
+        "figures are of linear values in [0, 1], and the first row is open everywhere.\n"
         "Examples:\n"
         "  luxel evaluate builtin:cornell --use isr -o out\n"
         "  luxel evaluate sponza.gltf --use isr --use isr:mode=thesis --views 8 --size 1024x768 -o out\n"
+        "  luxel evaluate builtin:cornell --component ao --ao-radius 0.3 --use isr:ao_radius=0.3 -o out\n"
         "  luxel evaluate room.toml --use isr --frame environment=lights,environment_lights=32 -o out");
     command->callback([o, &global] { run(*o, global); });
 }

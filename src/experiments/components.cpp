@@ -44,6 +44,10 @@ std::vector<std::string> parse_components(std::string_view text) {
     return components;
 }
 
+bool is_accessibility(const std::vector<std::string>& components) {
+    return components == std::vector<std::string>{"ao"};
+}
+
 Image sum_of(const Layers& layers, const std::vector<std::string>& components) {
     Image sum;
     for (const std::string& name : components) {

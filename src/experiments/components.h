@@ -12,6 +12,9 @@ namespace luxel {
 // Error Fault::usage: unknown name (the known are listed), or parts that would count the same light twice.
 std::vector<std::string> parse_components(std::string_view text);
 
+// Whether the truth is occlusion: one channel, 1 = open, instead of light.
+bool is_accessibility(const std::vector<std::string>& components);
+
 // Sum of the named layers; every name must be there.
 Image sum_of(const Layers& layers, const std::vector<std::string>& components);
 

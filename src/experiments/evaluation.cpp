@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "experiments/components.h"
 #include "experiments/memory_budget.h"
 #include "experiments/timing.h"
 #include "scene/lights.h"
@@ -18,10 +19,14 @@ constexpr int warm_up_frames = 2; // pipelines compile at their first use
 
 ReferenceRequest reference_request(const EvaluationSettings& settings, const Camera& camera) {
     // The usual components always come along, so that runs that ask for different sums share one rendering.
-    std::set<std::string> components = {"direct", "diffuse1"};
-    components.insert(settings.components.begin(), settings.components.end());
+    std::set<std::string> components(settings.components.begin(), settings.components.end());
+    if (!is_accessibility(settings.components)) components.insert({"direct", "diffuse1"});
 
     ReferenceRequest request;
+    if (is_accessibility(settings.components)) {
+        request.settings.ao_radius = settings.ao_radius;
+        request.settings.ao_membership = settings.ao_membership;
+    }
     request.components.assign(components.begin(), components.end());
     request.width = settings.width, request.height = settings.height;
     request.camera = camera;
@@ -37,17 +42,30 @@ struct RowFrames {
     std::vector<std::vector<gpu::PassTime>> times;
 };
 
+// The baseline is all open; every other row has to say how open.
+void complete_accessibility(const TechniqueRow& row, RenderResult& frame) {
+    if (row.techniques.empty())
+        frame.accessibility = Image(frame.mask.width, frame.mask.height, 1, 1.0f);
+    else if (frame.accessibility.empty())
+        fail(Fault::usage,
+             "--use {}: this row delivers no accessibility, which is what --component ao measures",
+             row.label);
+}
+
 // The rows take turns, so that what slows the machine for a while slows them all.
 std::vector<RowFrames> render_rows(Renderer& renderer, std::vector<TechniqueRow>& rows,
                                    const EvaluationSettings& settings, const Camera& camera) {
+    const bool accessibility = is_accessibility(settings.components);
     std::vector<RowFrames> frames(rows.size());
     for (int i = -warm_up_frames; i < settings.timed_frames; ++i)
         for (std::size_t r = 0; r < rows.size(); ++r) {
             RenderRequest request;
             request.camera = camera;
             request.width = settings.width, request.height = settings.height;
+            request.accessibility = accessibility;
             for (const auto& technique : rows[r].techniques) request.techniques.push_back(technique.get());
             frames[r].last = renderer.render(request);
+            if (accessibility) complete_accessibility(rows[r], frames[r].last);
             if (i >= 0) frames[r].times.push_back(frames[r].last.passes);
         }
     return frames;
@@ -65,21 +83,23 @@ RowResult row_result(const RowFrames& frames) {
 ViewResult evaluate_view(Renderer& renderer, const RayCaster& rays, const Camera& camera,
                          const EvaluationSettings& settings, std::vector<TechniqueRow>& rows,
                          std::vector<std::string>& warnings, const PictureSink& sink) {
-    Truth truth = find_truth(rays, reference_request(settings, camera), settings.cache, warnings);
+    // The frames first: a row that cannot be compared should say so before minutes of path tracing. Every row
+    // sees the same surfaces, so that the baseline's mask is everyone's.
+    std::vector<RowFrames> frames = render_rows(renderer, rows, settings, camera);
+    const Truth truth = find_truth(rays, reference_request(settings, camera), settings.cache, warnings);
     ViewResult view;
     view.camera = camera;
     view.reference_spp = truth.spp;
     view.reference_seconds = truth.seconds;
     view.reference_cached = truth.cached;
 
-    // Every row sees the same surfaces, so that the baseline's mask is everyone's.
-    std::vector<RowFrames> frames = render_rows(renderer, rows, settings, camera);
     const Target target = make_target(truth, settings.components, frames[0].last.mask);
     view.exposure = target.exposure;
     view.noise = target.noise;
     std::vector<Candidate> candidates;
     for (RowFrames& f : frames) {
-        candidates.push_back(make_candidate(target, std::move(f.last.radiance)));
+        Image& image = is_accessibility(settings.components) ? f.last.accessibility : f.last.radiance;
+        candidates.push_back(make_candidate(target, std::move(image)));
         view.rows.push_back(row_result(f));
         view.rows.back().figures = measure(target, candidates[0], candidates.back());
         view.rows.back().claimed = is_claimed(view.rows[0].figures, view.rows.back().figures, view.noise);

@@ -18,6 +18,8 @@ struct EvaluationSettings {
     std::vector<std::string> components = {"direct", "diffuse1"}; // whose sum is the truth
     ViewChoice views;
     int width = 640, height = 480;
+    float ao_radius = 1.0f; // meters, for the component ao
+    Membership ao_membership = Membership::step;
     int spp = 64;
     int seed = 1;
     FrameOptions frame;

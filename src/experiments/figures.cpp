@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/figures.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "core/flip.h"
 #include "core/metrics.h"
@@ -29,24 +31,33 @@ Image fill_outside(Image image, const Image& background, const Image& mask) {
     return image;
 }
 
+Image shown_of(const Image& image, float exposure) {
+    if (image.channels > 1) return display(image, exposure);
+    Image gray(image.width, image.height, 3);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            gray.set_rgb(x, y, glm::vec3(std::clamp(*image.at(x, y), 0.0f, 1.0f)));
+    return gray;
+}
+
 Target make_target(const Truth& truth, const std::vector<std::string>& components, const Image& frame_mask) {
     Target target;
     target.radiance = sum_of(truth.mean, components);
     target.mask = truth.mask;
     for (std::size_t i = 0; i < target.mask.data.size(); ++i)
         target.mask.data[i] = truth.mask.data[i] > 0 && frame_mask.data[i] > 0 ? 1.0f : 0.0f;
-    target.exposure = exposure_of(target.radiance, target.mask);
-    target.shown = display(target.radiance, target.exposure);
+    if (!is_accessibility(components)) target.exposure = exposure_of(target.radiance, target.mask);
+    target.shown = shown_of(target.radiance, target.exposure);
 
     // The mean of two halves errs half as much as the halves differ.
-    const Image even = display(sum_of(truth.half[0], components), target.exposure);
-    const Image odd = display(sum_of(truth.half[1], components), target.exposure);
+    const Image even = shown_of(sum_of(truth.half[0], components), target.exposure);
+    const Image odd = shown_of(sum_of(truth.half[1], components), target.exposure);
     target.noise = 0.5 * mean_error(even, odd, target.mask);
     return target;
 }
 
 Candidate make_candidate(const Target& target, Image radiance) {
-    Image shown = display(radiance, target.exposure);
+    Image shown = shown_of(radiance, target.exposure);
     return {std::move(radiance), std::move(shown)};
 }
 

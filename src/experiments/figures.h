@@ -23,7 +23,7 @@ struct Figures {
 
 // The truth of one view, ready to be held against.
 struct Target {
-    Image radiance, shown; // linear; display-referred
+    Image radiance, shown; // linear (accessibility: one channel); display-referred
     Image mask;            // 1 where pixels count
     float exposure = 1;
     double noise = 0; // delta between the two sample halves, halved
@@ -39,6 +39,9 @@ struct Candidate {
 Candidate make_candidate(const Target& target, Image radiance);
 
 Figures measure(const Target& target, const Candidate& baseline, const Candidate& candidate);
+
+// Display values: radiance under the exposure; accessibility, which has one channel, as it is, in gray.
+Image shown_of(const Image& image, float exposure);
 
 // The reference's own noise hides a difference of delta that is not larger than it.
 inline bool is_claimed(const Figures& baseline, const Figures& figures, double noise) {

@@ -99,9 +99,11 @@ function conventions() {
                                                 : "true in the reference, directional lights in the frame"};
   return make("dl", {}, ...entry("Scene", results.scene), ...entry("Truth", `path traced on the CPU at pixel centers; light paths ` +
       `${results.component.replaceAll("+", " + ")}; ${results.spp} samples a pixel, seed ${results.seed}`),
+    ...(results.ao ? entry("Accessibility", "1 = open; its nearest occluder within " + results.ao.radius + " m counts by " +
+      `membership ${results.ao.membership}; every figure is of linear values in [0, 1]; the baseline is open everywhere`) : [
     ...entry("Display values", "delta, gain, rho, improved, PSNR, SSIM and FLIP: one exposure per view (98th percentile of the " +
       "reference's luminance to 1), clamped, sRGB curve"),
-    ...entry("Radiance", "RMSE and relMSE: linear, not clamped"),
+    ...entry("Radiance", "RMSE and relMSE: linear, not clamped")]),
     ...entry("Background", "left out of every figure"),
     ...entry("Noise", "delta between the reference's two sample halves, halved; a smaller gain is marked ~ and not claimed"),
     ...entry("Time", `GPU timestamps, median of ${results.timed_frames} frames after warm-up; maximum memory of images and buffers`),

@@ -3,6 +3,8 @@
 
 #include <fmt/ranges.h>
 
+#include "experiments/components.h"
+
 namespace luxel {
 
 namespace {
@@ -63,6 +65,15 @@ Json to_json(const std::vector<RowName>& names, const ViewResult& view) {
             {"techniques", to_json(names, view.rows)}};
 }
 
+// What occlusion the truth is; null where it is light.
+Json ao_of(const EvaluationSettings& settings) {
+    if (!is_accessibility(settings.components)) return nullptr;
+    ReferenceSettings reference;
+    reference.ao_radius = settings.ao_radius, reference.ao_membership = settings.ao_membership;
+    const Json all = luxel::to_json(parameters_of(reference));
+    return {{"radius", all["ao_radius"]}, {"membership", all["ao_membership"]}};
+}
+
 } // namespace
 
 Json typed_value(const ParameterInfo& parameter) {
@@ -88,6 +99,7 @@ Json to_json(const EvaluationResult& result) {
                  {"spp", s.spp},
                  {"seed", s.seed},
                  {"component", fmt::format("{}", fmt::join(s.components, "+"))},
+                 {"ao", ao_of(s)},
                  {"device",
                   {{"name", result.device.name},
                    {"driver", result.device.driver},

@@ -32,7 +32,7 @@ struct Renderer::Data {
     Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request) const;
     void add_ambient(gpu::Recorder& recorder, const Frame& frame) const;
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
-                       const std::vector<Contribution>& contributions) const;
+                       const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
 
     gpu::Gpu& gpu;
     const Scene& scene;
@@ -76,6 +76,13 @@ Image without_alpha(const Image& rgba) {
     for (int y = 0; y < rgb.height; ++y)
         for (int x = 0; x < rgb.width; ++x) rgb.set_rgb(x, y, rgba.rgb(x, y));
     return rgb;
+}
+
+// Slots are in order, so the occlusion slot's accessibility comes before any other's. None: an empty handle.
+gpu::Image accessibility_of(const std::vector<Contribution>& contributions) {
+    auto found = std::find_if(contributions.begin(), contributions.end(),
+                              [](const Contribution& c) { return bool(c.accessibility); });
+    return found == contributions.end() ? gpu::Image() : found->accessibility;
 }
 
 // The last image of that name that the frame or a technique made.
@@ -123,22 +130,19 @@ void Renderer::Data::add_ambient(gpu::Recorder& recorder, const Frame& frame) co
 }
 
 gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
-                                   const std::vector<Contribution>& contributions) const {
-    // Slots are in order, so the occlusion slot's accessibility comes before any other's.
-    auto with_access = std::find_if(contributions.begin(), contributions.end(),
-                                    [](const Contribution& c) { return bool(c.accessibility); });
+                                   const std::vector<Contribution>& contributions,
+                                   const gpu::Image& accessibility) const {
     gpu::Image radiance = recorder.image({.width = frame.width, .height = frame.height}, "radiance");
     shared::ComposeParams p{.view = frame.view,
                             .environment_rotation = scene.environment.rotation,
                             .environment_scale = scene.environment.empty() ? 0.0f : scene.environment.scale};
-    recorder.dispatch(
-        "frame/compose.comp", extent_of(radiance), p,
-        {{"depth", frame.gbuffer.depth},
-         {"direct", frame.direct},
-         {"ambient", frame.ambient},
-         {"accessibility", with_access == contributions.end() ? open : with_access->accessibility},
-         {"environment", environment},
-         {"radiance", radiance}});
+    recorder.dispatch("frame/compose.comp", extent_of(radiance), p,
+                      {{"depth", frame.gbuffer.depth},
+                       {"direct", frame.direct},
+                       {"ambient", frame.ambient},
+                       {"accessibility", accessibility ? accessibility : open},
+                       {"environment", environment},
+                       {"radiance", radiance}});
     for (const Contribution& c : contributions)
         if (c.radiance)
             recorder.dispatch("frame/add.comp", extent_of(radiance), gpu::Recorder::NoParams{},
@@ -173,7 +177,8 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.add_ambient(recorder, frame);
     std::vector<Contribution> contributions;
     for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
-    gpu::Image radiance = d.compose(recorder, frame, contributions);
+    const gpu::Image accessibility = accessibility_of(contributions);
+    gpu::Image radiance = d.compose(recorder, frame, contributions, accessibility);
 
     RenderResult result;
     result.passes = sum_by_name(recorder.submit());
@@ -181,6 +186,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
     result.radiance = without_alpha(d.gpu.read(radiance));
     result.mask = d.gpu.read(frame.gbuffer.depth);
     for (float& v : result.mask.data) v = v > 0.0f ? 1.0f : 0.0f;
+    if (request.accessibility && accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)
         result.images[name] = d.gpu.read(find_image(recorder, name));
     return result;

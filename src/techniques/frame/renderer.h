@@ -18,13 +18,15 @@ struct RenderRequest {
     std::vector<Technique*>
         techniques; // prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot
     std::vector<std::string>
-        images; // names of intermediate images to read back ("depth", "isr irradiance", ...)
+        images;                 // names of intermediate images to read back ("depth", "isr irradiance", ...)
+    bool accessibility = false; // read back what composition multiplies the ambient term by
 };
 
 struct RenderResult {
-    Image radiance; // 3 channels, linear, before tone mapping; background = environment radiance
-    Image mask;     // 1 where a surface is seen
-    Layers images;  // the intermediate images asked for
+    Image radiance;      // 3 channels, linear, before tone mapping; background = environment radiance
+    Image mask;          // 1 where a surface is seen
+    Image accessibility; // 1 channel; empty unless asked for and delivered by a technique
+    Layers images;       // the intermediate images asked for
     std::vector<gpu::PassTime> passes;
     std::uint64_t memory_bytes = 0; // peak of the frame's images and buffers, scene included
 };

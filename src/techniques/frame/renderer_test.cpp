@@ -299,9 +299,12 @@ TEST_F(FrameTest, CompositionAddsContributionsAndScalesTheAmbientTerm) {
     RenderRequest request{
         .camera = scene.cameras[0], .width = 9, .height = 9, .techniques = {&diffuse, &occlusion}};
     request.images = {"constant accessibility", "ambient"};
+    request.accessibility = true;
     RenderResult frame = renderer.render(request);
     EXPECT_NEAR(frame.radiance.at(4, 4)[0], 0.25f * 1.0f + 0.5f, 0.01f);
     EXPECT_NEAR(frame.images.at("ambient").at(4, 4)[0], 1.0f, 0.01f);
+    EXPECT_EQ(frame.accessibility.channels, 1);
+    EXPECT_EQ(frame.accessibility.at(4, 4)[0], 0.25f);
     EXPECT_GT(frame.memory_bytes, 0u);
     EXPECT_FALSE(frame.passes.empty());
 
@@ -310,6 +313,9 @@ TEST_F(FrameTest, CompositionAddsContributionsAndScalesTheAmbientTerm) {
     EXPECT_EQ(diffuse.prepared, 1);
     Renderer(gpu, scene, {}).render(request);
     EXPECT_EQ(diffuse.prepared, 2);
+
+    request.techniques.clear(), request.images.clear();
+    EXPECT_TRUE(renderer.render(request).accessibility.empty());
 }
 
 TEST_F(FrameTest, MisuseIsAnErrorWithAReason) {
