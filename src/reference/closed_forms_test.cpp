@@ -230,9 +230,13 @@ TEST(ClosedForms, AmbientOcclusionUnderACeiling) {
     add_floor(scene, lambertian(glm::vec3(0.5f)));
     add_object(scene, lambertian(glm::vec3(0.5f)), {-50, 0.4f, -50}, {100, 0, 0}, {0, 0, 100});
     const double q = 0.4;
+    // tangent: the sphere's volume below the ceiling; exponential: 1 - 2 E_3(q), by the recurrence from E_1.
+    const double e1 = -std::expint(-q);
     const double expected[] = {q * q, q * q + 4.0 / 3.0 * std::sqrt(q) * (1.0 - std::pow(q, 1.5)),
-                               q * q + 2.0 * q * q * (1.0 - q)};
-    for (Membership membership : {Membership::step, Membership::sqrt, Membership::cubic}) {
+                               q * q + 2.0 * q * q * (1.0 - q), 3.0 * q * q - 2.0 * q * q * q,
+                               1.0 - (std::exp(-q) * (1.0 - q) + q * q * e1)};
+    for (Membership membership : {Membership::step, Membership::sqrt, Membership::cubic, Membership::tangent,
+                                  Membership::exponential}) {
         auto request = request_for({"ao"}, camera_on({2, 0.2f, 0}, {0, 0, 0}), 16, 256);
         request.settings.ao_radius = 1.0f;
         request.settings.ao_membership = membership;

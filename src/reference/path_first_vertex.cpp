@@ -13,20 +13,33 @@ void PathTracer::add_first_vertex(const ShadingPoint& point, Random& random, Pat
     if (wanted_.diffuse1_unoccluded) result.diffuse1_unoccluded = unoccluded_bounce(point, random);
 }
 
-// Share of the cosine-weighted hemisphere without an occluder within the radius, occluders weighted by
-// distance.
+// Share of the cosine-weighted hemisphere without an occluder, occluders weighted by distance.
 float PathTracer::openness(const ShadingPoint& point, Random& random) const {
-    glm::vec3 wi = shared::frame_around(point.normal) * shared::sample_cosine_hemisphere(random.next2());
+    glm::vec3 local = shared::sample_cosine_hemisphere(random.next2());
+    float radius = settings_.ao_radius;
+    if (settings_.ao_membership == Membership::tangent) {
+        // Density 2 cos^3/pi instead of cos/pi: the cosine's fourth power is uniform, not its square. The
+        // radius is the chord of the tangent sphere [Umenhoffer2009, fig. 4.4].
+        float cosine = std::sqrt(local.z);
+        float stretch = 1.0f / std::sqrt(1.0f + local.z); // sqrt((1 - cos') / (1 - cos'^2)), cos' = local.z
+        local = {local.x * stretch, local.y * stretch, cosine};
+        radius *= cosine;
+    }
+    glm::vec3 wi = shared::frame_around(point.normal) * local;
     if (glm::dot(wi, point.geometric_normal) <= 0.0f) return 0.0f;
-    Ray ray{point.origin(wi), wi, 0.0f, settings_.ao_radius};
+    const bool endless = settings_.ao_membership == Membership::exponential;
+    Ray ray{point.origin(wi), wi, 0.0f, endless ? Ray{}.t_max : radius};
     Hit hit;
     if (!intersect(ray, hit)) return 1.0f;
-    float d = std::min(hit.t / settings_.ao_radius, 1.0f);
+    float d = endless ? hit.t / radius : std::min(hit.t / radius, 1.0f);
     switch (settings_.ao_membership) {
     case Membership::sqrt:
         return std::sqrt(d);
     case Membership::cubic:
+    case Membership::tangent:
         return d * d * d;
+    case Membership::exponential:
+        return 1.0f - std::exp(-d);
     default:
         return 0.0f;
     }

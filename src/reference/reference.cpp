@@ -82,7 +82,7 @@ void ReferenceSettings::visit(Visitor& v) {
     v.integer("seed", seed, {0, 2147483647}, "seed of the random numbers");
     v.flag("pixel_center", pixel_center, "rays through pixel centers instead of the pixels' areas");
     v.real("ao_radius", ao_radius, {1e-6, 1e6}, "radius of ambient occlusion, meters");
-    v.choice("ao_membership", ao_membership, {"step", "sqrt", "cubic"},
+    v.choice("ao_membership", ao_membership, membership_names,
              "how an occluder's weight falls with distance");
 }
 

@@ -23,17 +23,16 @@ namespace luxel {
 //   diffuse              E D D+ L: all diffuse bounces
 //   specular             full - direct - diffuse: every path with a specular lobe beyond direct light
 //   full                 everything
-//   ao                   cosine-weighted occlusion-free share, radius R, membership step | sqrt | cubic; 1 =
-//   open
+//   ao                   cosine-weighted occlusion-free share, radius R, see Membership; 1 = open
 // Pixels that see no surface: direct and full hold the environment's radiance; the others 0.
 inline const std::vector<std::string> component_names = {
     "direct", "diffuse1", "diffuse1_unoccluded", "diffuse", "specular", "full", "ao"};
 
-enum class Membership {
-    step,
-    sqrt,
-    cubic
-}; // weight of an occluder at distance d < R: 1, 1-sqrt(d/R), 1-(d/R)^3
+// How far an occluder at distance d < R leaves its direction open: 0, sqrt(d/R), (d/R)^3. tangent: the open
+// share of the sphere of radius R/2 that touches the surface, whose chord is R cos: (d/(R cos))^3 with cos^3 as
+// weight of directions [Umenhoffer2009, eq. 4.6]. exponential: 1 - exp(-d/R), without an end.
+enum class Membership { step, sqrt, cubic, tangent, exponential };
+inline const std::vector<std::string> membership_names = {"step", "sqrt", "cubic", "tangent", "exponential"};
 
 struct ReferenceSettings {
     int spp = 64;         // upper bound
