@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The frame as an estimator of occlusion sees it. Everything is in camera space (see OcclusionParams).
+#include "techniques/common/occlusion_params.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 1) uniform sampler2D depth;
+layout(binding = 2) uniform sampler2D normal;
+// r = accessibility, g = 1 / depth, 0 where there is nothing: what the filter compares is linear on planes.
+layout(binding = 3) uniform writeonly image2D accessibility;
+
+struct Receiver {
+    vec3 position;
+    vec3 normal;
+    bool there;  // false: background
+    int pattern; // place in the 4x4 pattern
+};
+
+vec3 occlusion_ray(OcclusionParams o, ivec2 pixel) { return vec3(vec2(pixel) * o.ray_scale + o.ray_offset, 1.0); }
+
+Receiver occlusion_receiver(OcclusionParams o, ivec2 pixel) {
+    Receiver x;
+    float z = texelFetch(depth, pixel, 0).r;
+    vec3 n = texelFetch(normal, pixel, 0).xyz;
+    x.there = z > 0.0;
+    x.position = occlusion_ray(o, pixel) * z;
+    x.normal = normalize(vec3(dot(o.right, n), dot(o.up, n), dot(o.forward, n)));
+    x.pattern = o.interleaved != 0u ? pattern_index(pixel) : 0;
+    return x;
+}
+
+// Depth that hides what is behind it: nothing is hidden by the background.
+float occluder_depth(ivec2 pixel) {
+    float z = texelFetch(depth, pixel, 0).r;
+    return z > 0.0 ? z : 1e30;
+}
+
+// What lies outside of the image is not known: such taps are left out, as if it were like the rest.
+bool occlusion_inside(OcclusionParams o, ivec2 pixel) {
+    return uint(pixel.x) < uint(o.size.x) && uint(pixel.y) < uint(o.size.y);
+}
+
+void write_accessibility(Receiver x, ivec2 pixel, float open) {
+    imageStore(accessibility, pixel, vec4(x.there ? open : 1.0, x.there ? 1.0 / x.position.z : 0.0, 0, 0));
+}
+
+// Homogeneous pixel coordinates of a point and of a difference: xy / z = pixel, centers at integers; z = depth.
+vec3 to_pixel(OcclusionParams o, vec3 v) { return vec3((v.xy - o.ray_offset * v.z) / o.ray_scale, v.z); }
