@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What every frame offers to a technique.
 #pragma once
+#include <functional>
+#include <string>
+
 #include "core/parameters.h"
 #include "gpu/recorder.h"
 #include "scene/scene.h"
@@ -21,16 +24,31 @@ struct GBuffer {
     gpu::Image hardware_depth; // D32F
 };
 
-struct Frame {
+// The surfaces that one view sees, and the direct light on them.
+struct Capture {
     std::uint32_t width = 0, height = 0;
     shared::ViewParams view; // camera as shaders read it; world position = position + depth * pixel_direction
-    Camera camera;
     const GpuScene* scene = nullptr;
     GBuffer gbuffer;
     gpu::Image direct; // RGBA32F: direct radiance toward the camera, emission included, without ambient
     gpu::Image direct_diffuse; // RGBA32F: the part of it that the Lambertian lobe reflects (no emission, no
                                // specular)
-    gpu::Image ambient;        // RGBA32F: unoccluded environment light off the diffuse lobe; black without
+};
+
+struct CaptureRequest {
+    shared::ViewParams view; // width and height are the capture's
+    std::string prefix;      // of its images' names, "" for the frame's own
+    // R32F, as large as the view: only what is farther than it, along the view direction, is drawn, without
+    // the backs of single-sided surfaces (the insides of solids) [Thibieroz2007]. Empty: all.
+    gpu::Image farther_than;
+};
+
+// The capture of the camera's view, and what else a technique may ask for.
+struct Frame : Capture {
+    Camera camera;
+    gpu::Image ambient; // RGBA32F: unoccluded environment light off the diffuse lobe; black without
+    // The scene again, from another view or behind what one sees, by the passes that made this frame.
+    std::function<Capture(gpu::Recorder&, const CaptureRequest&)> capture;
 };
 
 enum class ShadowMode { hard, pcf, esm };

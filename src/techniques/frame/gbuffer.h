@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Draws the visible surfaces into a frame's G-buffer and what they emit into its direct light.
+// Draws the visible surfaces into a capture's G-buffer and what they emit into its direct light.
 #pragma once
 #include "techniques/frame/frame.h"
 
 namespace luxel {
 
-void draw_gbuffer(gpu::Recorder& recorder, const Frame& frame);
+// farther_than: see CaptureRequest; may be empty.
+void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const gpu::Image& farther_than);
 
 } // namespace luxel

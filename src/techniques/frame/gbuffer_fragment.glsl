@@ -18,6 +18,10 @@ layout(set = 1, binding = 6) uniform sampler2D specular_color_texture;
 layout(set = 1, binding = 7) uniform sampler2D transmission_texture;
 #endif
 
+#ifdef PEEL
+layout(set = 0, binding = 7) uniform sampler2D farther_than; // linear depth of the view's pixels
+#endif
+
 layout(location = 0) in vec3 from_eye;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
@@ -99,4 +103,8 @@ void main() {
 
     // Last, so that the derivatives above are those of whole quads.
     if (base.a < m.alpha_cutoff || depth > view.far) discard;
+#ifdef PEEL
+    if (depth <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
+    if (!front && m.double_sided == 0u) discard;
+#endif
 }

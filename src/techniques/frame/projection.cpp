@@ -29,14 +29,19 @@ glm::mat4 orthographic_to_clip(const Axes& a, float nearest, float farthest) {
                                     glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)));
 }
 
+shared::ViewParams view_params(const Axes& axes, float near, float far, glm::vec2 size) {
+    shared::ViewParams v{};
+    v.world_to_clip = perspective_to_clip(axes, near);
+    v.position = axes.position, v.forward = axes.forward, v.right = axes.right, v.up = axes.up;
+    v.near = near, v.far = far;
+    v.width = size.x, v.height = size.y;
+    return v;
+}
+
 shared::ViewParams view_params(const Camera& camera, int width, int height) {
     CameraBasis b = camera_basis(camera, width, height);
-    shared::ViewParams v{};
-    v.world_to_clip = perspective_to_clip({b.position, b.forward, b.right, b.up}, camera.near);
-    v.position = b.position, v.forward = b.forward, v.right = b.right, v.up = b.up;
-    v.near = camera.near, v.far = camera.far;
-    v.width = float(width), v.height = float(height);
-    return v;
+    return view_params({b.position, b.forward, b.right, b.up}, camera.near, camera.far,
+                       {float(width), float(height)});
 }
 
 } // namespace luxel

@@ -18,6 +18,7 @@ glm::mat4 perspective_to_clip(const Axes& axes, float near);
 // Depth = 1 at `nearest`, 0 at `farthest`, both distances along forward from the position.
 glm::mat4 orthographic_to_clip(const Axes& axes, float nearest, float farthest);
 
+shared::ViewParams view_params(const Axes& axes, float near, float far, glm::vec2 size);
 shared::ViewParams view_params(const Camera& camera, int width, int height);
 
 } // namespace luxel

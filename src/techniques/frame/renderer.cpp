@@ -9,9 +9,9 @@
 #include "core/error.h"
 #include "scene/lights.h"
 #include "techniques/frame/ambient_params.h"
+#include "techniques/frame/capture.h"
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
-#include "techniques/frame/gbuffer.h"
 #include "techniques/frame/projection.h"
 
 namespace luxel {
@@ -100,22 +100,14 @@ gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
 
 Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) const {
     Frame f;
-    f.width = std::uint32_t(request.width), f.height = std::uint32_t(request.height);
-    f.view = view_params(request.camera, request.width, request.height);
-    f.camera = request.camera;
-    f.scene = &on_gpu;
-    auto image = [&](VkFormat format, const char* name) {
-        return recorder.image({.width = f.width, .height = f.height, .format = format}, name);
+    f.capture = [this](gpu::Recorder& r, const CaptureRequest& c) {
+        return capture_scene(r, on_gpu, direct, c);
     };
-    f.gbuffer.diffuse = image(VK_FORMAT_R16G16B16A16_SFLOAT, "diffuse");
-    f.gbuffer.specular = image(VK_FORMAT_R16G16B16A16_SFLOAT, "specular");
-    f.gbuffer.normal = image(VK_FORMAT_R16G16B16A16_SFLOAT, "normal");
-    f.gbuffer.geometric_normal = image(VK_FORMAT_R16G16B16A16_SFLOAT, "geometric_normal");
-    f.gbuffer.depth = image(VK_FORMAT_R32_SFLOAT, "depth");
-    f.gbuffer.hardware_depth = image(VK_FORMAT_D32_SFLOAT, "hardware_depth");
-    f.direct = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct");
-    f.direct_diffuse = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct_diffuse");
-    f.ambient = image(VK_FORMAT_R32G32B32A32_SFLOAT, "ambient");
+    shared::ViewParams view = view_params(request.camera, request.width, request.height);
+    static_cast<Capture&>(f) = f.capture(recorder, {.view = view});
+    f.camera = request.camera;
+    f.ambient = recorder.image({.width = f.width, .height = f.height}, "ambient");
+    add_ambient(recorder, f);
     return f;
 }
 
@@ -171,10 +163,6 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.gpu.reset_memory_peak();
     gpu::Recorder recorder(d.gpu);
     Frame frame = d.make_frame(recorder, request);
-    draw_gbuffer(recorder, frame);
-    recorder.clear(frame.direct_diffuse, {});
-    d.direct.render(recorder, frame);
-    d.add_ambient(recorder, frame);
     std::vector<Contribution> contributions;
     for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
     const gpu::Image accessibility = accessibility_of(contributions);

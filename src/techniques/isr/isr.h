@@ -4,6 +4,7 @@
 #pragma once
 #include "techniques/frame/frame.h"
 #include "techniques/isr/isr_params.h"
+#include "techniques/isr/temporal.h"
 #include "techniques/technique.h"
 
 namespace luxel {
@@ -22,6 +23,16 @@ struct IsrOptions {
     float ao_radius = 1.0f;            // meters
     float spacing = 4.0f;              // coarse pixels, mode=thesis only
     float k_isr = 0.5f, k_ssao = 0.5f; // mode=thesis only
+
+    // Beyond the frame's pixels and beyond one frame [Rohleder2010, chapter 6].
+    int layers = 1;           // 2: patches behind the first surface, too
+    float separation = 0.02f; // least distance between layers, as a share of depth
+    float border = 0.0f;      // guard band on each side, as a share of the image
+    int cameras = 0;          // further views from the eye, see isr_cameras
+    int camera_samples = 64;  // taps per pixel into each of them
+    int samples_far = 0;      // taps of receivers beyond `far`; 0 = samples
+    float far = 10.0f;        // meters
+    int temporal = 1;         // frames that are averaged at most
     void visit(Visitor& v);
 };
 
@@ -29,16 +40,12 @@ class Isr final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
     void visit(Visitor& v) override { options_.visit(v); }
+    void prepare(gpu::Gpu&, const Scene&) override { history_ = {}; }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 
 private:
-    Contribution compose(gpu::Recorder& recorder, const Frame& frame, const gpu::Image& irradiance,
-                         const gpu::Image& guide) const;
     IsrOptions options_;
+    IsrHistory history_; // of the renderer that prepared this; empty with temporal=1
 };
-
-// Tap table of one mode: xy = offset, z = weight in coarse pixels; ISR_MAX_TAPS entries, the first `count` in
-// use.
-std::vector<glm::vec4> isr_taps(const shared::IsrParams& params);
 
 } // namespace luxel

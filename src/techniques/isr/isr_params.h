@@ -10,12 +10,17 @@ LUXEL_CONST uint ISR_CALIBRATED = 0u;
 LUXEL_CONST uint ISR_THESIS = 1u;
 LUXEL_CONST int ISR_MAX_TAPS = 512;
 
+// The gather. Receivers are the coarse pixels of the frame; patches may reach beyond its border.
 struct IsrParams {
-    ViewParams view;    // of the full-size frame
-    uint width, height; // of the coarse buffers
-    float scale;        // full-size pixels per coarse pixel
-    float pixel_area;   // of a coarse pixel on the plane at distance 1, m2
-    uint mode;          // ISR_*
+    ViewParams view;         // of the full-size frame
+    uint width, height;      // of the coarse frame
+    ivec2 origin;            // where its first pixel lies among the patches
+    ivec2 patches;           // size of the image of patches
+    float scale;             // full-size pixels per coarse pixel
+    float pixel_area;        // of a coarse pixel on the plane at distance 1, m2
+    float nearest, farthest; // depth of the receivers that this pass is for, (nearest, farthest], m
+    float turn, shift;       // added to every pixel's jitter, [0, 1)
+    uint mode;               // ISR_*
     int taps;
     float radius;       // of the kernel, coarse pixels
     float inner_radius; // of the excluded disc around the receiver, coarse pixels
@@ -26,11 +31,43 @@ struct IsrParams {
     float occluder;     // thesis: radius of the occluding spheres, coarse pixels
 };
 
+// From a capture to patches.
+struct IsrPatchParams {
+    ViewParams view;       // of the capture
+    uint width, height;    // of the coarse pixels that it is divided into
+    float scale;           // pixels of the capture per coarse pixel, 1 or 2
+    float pixel_area;      // as above
+    float grazing;         // as above
+    uint mode;             // ISR_*
+    ivec2 origin;          // where the first coarse pixel is written to
+    ivec2 hole, hole_size; // coarse pixels that are left out
+};
+
+struct IsrReflectParams {
+    ivec2 origin; // as IsrParams
+};
+
 // A coarse pixel as a patch of the scene: its normal times its area, m2.
 // A_x = a z^3 / |n.P_view| with P_view = z d, d the pixel ray whose component along the view direction is 1.
 LUXEL_FN vec3 patch_area_vector(vec3 normal, vec3 pixel_ray, float z, float pixel_area, float grazing) {
     float slope = max(abs(dot(normal, pixel_ray)), grazing * length(pixel_ray));
     return normal * (pixel_area * z * z / slope);
+}
+
+// Depth of a position along a view's axis, and the pixel coordinate where the view sees it (centers at .5).
+// The inverse of world_position; the pixel is meaningless where the depth is not positive.
+struct IsrProjection {
+    vec2 pixel;
+    float depth;
+};
+LUXEL_FN IsrProjection isr_project(ViewParams v, vec3 position) {
+    vec3 d = position - v.position;
+    IsrProjection r;
+    r.depth = dot(d, v.forward);
+    float s = 1.0f / max(r.depth, 1e-20f);
+    r.pixel = vec2(v.width * 0.5f * (1.0f + dot(d, v.right) / dot(v.right, v.right) * s),
+                   v.height * 0.5f * (1.0f - dot(d, v.up) / dot(v.up, v.up) * s));
+    return r;
 }
 
 // cos_p cos_x A_x / (r^2 + A_x/pi): the patch's projected solid angle as seen from p (the disc bound keeps

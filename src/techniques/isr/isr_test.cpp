@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Image-space radiosity on analytic G-buffers: closed forms and invariants. The bound against the reference
 // is in tests/.
+#include "techniques/isr/gather.h"
 #include "techniques/isr/isr.h"
 
 #include <cmath>
