@@ -75,13 +75,12 @@ void expect_all(const Image& image, float value) {
 }
 
 TEST_F(CaptureTest, OfTheFramesOwnViewIsTheFrame) {
-    RenderResult r = probe(
-        shapes(ShapesLight::spot),
-        [](gpu::Recorder& recorder, const Frame& frame) {
-            frame.capture(recorder, {.view = frame.view, .prefix = "probe "});
-        },
-        {"depth", "normal", "direct", "direct_diffuse", "probe depth", "probe normal", "probe direct",
-         "probe direct_diffuse"});
+    RenderResult r = probe(shapes(ShapesLight::spot),
+                           [](gpu::Recorder& recorder, const Frame& frame) {
+                               frame.capture(recorder, {.view = frame.view, .prefix = "probe "});
+                           },
+                           {"depth", "normal", "direct", "direct_diffuse", "probe depth", "probe normal",
+                            "probe direct", "probe direct_diffuse"});
     for (const char* name : {"depth", "normal", "direct", "direct_diffuse"})
         EXPECT_EQ(r.images.at(name).data, r.images.at(std::string("probe ") + name).data) << name;
 }
@@ -90,15 +89,14 @@ TEST_F(CaptureTest, OfAnotherViewIsThatViewsFrame) {
     Scene scene = shapes(ShapesLight::point);
     Camera aside = scene.cameras[0];
     aside.position += glm::vec3(0.4f, 0.2f, -0.1f);
-    RenderResult captured = probe(
-        scene,
-        [&](gpu::Recorder& recorder, const Frame& frame) {
-            frame.capture(recorder, {.view = view_params(aside, 64, 48), .prefix = "probe "});
-        },
-        {"probe depth", "probe direct"});
+    RenderResult captured =
+        probe(scene,
+              [&](gpu::Recorder& recorder, const Frame& frame) {
+                  frame.capture(recorder, {.view = view_params(aside, 64, 48), .prefix = "probe "});
+              },
+              {"probe depth", "probe direct"});
     scene.cameras[0] = aside;
-    RenderResult moved = probe(
-        scene, [](gpu::Recorder&, const Frame&) {}, {"depth", "direct"});
+    RenderResult moved = probe(scene, [](gpu::Recorder&, const Frame&) {}, {"depth", "direct"});
     EXPECT_EQ(captured.images.at("probe depth").data, moved.images.at("depth").data);
     EXPECT_EQ(captured.images.at("probe direct").data, moved.images.at("direct").data);
 }
@@ -107,12 +105,12 @@ TEST_F(CaptureTest, OfAnotherViewIsThatViewsFrame) {
 void peel_twice(gpu::Recorder& recorder, const Frame& frame) {
     Capture second = frame.capture(
         recorder, {.view = frame.view, .prefix = "second ", .farther_than = frame.gbuffer.depth});
-    frame.capture(recorder,
-                  {.view = frame.view, .prefix = "third ", .farther_than = second.gbuffer.depth});
+    frame.capture(recorder, {.view = frame.view, .prefix = "third ", .farther_than = second.gbuffer.depth});
 }
 
 TEST_F(CaptureTest, BehindWhatIsSeenLeavesOutTheBacksOfSolids) {
-    RenderResult r = probe(stack(false), peel_twice, {"depth", "second depth", "second diffuse", "third depth"});
+    RenderResult r =
+        probe(stack(false), peel_twice, {"depth", "second depth", "second diffuse", "third depth"});
     expect_all(r.images.at("depth"), 2.0f);
     expect_all(r.images.at("second depth"), 4.0f); // not 3, which shows its back
     EXPECT_NEAR(r.images.at("second diffuse").at(32, 24)[0], 0.75f, 1e-3f);

@@ -39,7 +39,7 @@ struct CaptureRequest {
     shared::ViewParams view; // width and height are the capture's
     std::string prefix;      // of its images' names, "" for the frame's own
     // R32F, as large as the view: only what is farther than it, along the view direction, is drawn, without
-    // the backs of single-sided surfaces (the insides of solids) [Thibieroz2007]. Empty: all.
+    // the backs of single-sided surfaces (the insides of solids) [Everitt2001]. Empty: all.
     gpu::Image farther_than;
 };
 
