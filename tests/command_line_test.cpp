@@ -130,6 +130,8 @@ TEST(CommandLine, WrongUsageIsCodeTwo) {
         {"reference", "builtin:cornell", "--size", "-1x5", "-o", picture},
         {"reference", "builtin:cornell", "-o", (out.path() / "truth.bmp").string()},
         {"reference", "builtin:cornell", "--view", "no such view", "-o", picture},
+        {"evaluate", "builtin:cornell", "--cameras", "c.toml", "--views", "3", "-o", folder},
+        {"views", "builtin:cornell", "--count", "0"},
     };
     for (const auto& command : commands) {
         SCOPED_TRACE(::testing::PrintToString(command));
@@ -181,7 +183,8 @@ TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
 
 TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_EQ(run_luxel({"--version"}).out, "luxel " LUXEL_VERSION "\n");
-    for (const char* name : {"evaluate", "render", "reference", "diff", "techniques", "info", "devices"}) {
+    for (const char* name :
+         {"evaluate", "render", "reference", "diff", "techniques", "info", "views", "devices"}) {
         const ProcessResult result = run_luxel({name, "--help"});
         EXPECT_EQ(result.code, 0);
         EXPECT_NE(result.out.find("Example"), std::string::npos) << name;
@@ -199,6 +202,27 @@ TEST(CommandLine, InfoTechniquesAndDevicesSpeakJson) {
             EXPECT_TRUE(technique.contains(key)) << key;
     EXPECT_FALSE(techniques.at("frame").empty());
     EXPECT_TRUE(Json::parse(run_luxel({"devices", "--json"}).out).at("devices").is_array());
+}
+
+TEST(CommandLine, DrawnViewsServeAsCameras) {
+    const TemporaryFolder out;
+    const std::string script = (out.path() / "views.toml").string(),
+                      picture = (out.path() / "truth.exr").string();
+    const std::vector<std::string> draw = {"views", "builtin:cornell", "--count", "3", "--seed", "7"};
+    std::vector<std::string> draw_to_file = draw;
+    draw_to_file.insert(draw_to_file.end(), {"-o", script});
+    EXPECT_EQ(run_luxel(draw_to_file).code, 0);
+    EXPECT_EQ(run_luxel(draw).out, slurp(script));
+
+    // The last of them by number; there is no further one.
+    std::vector<std::string> look = {
+        "reference", "builtin:cornell", "--cameras", script, "--size",  "8x6",   "--spp", "1",
+        "-o",        picture,           "--view",    "2",    "--quiet", "--json"};
+    const ProcessResult result = run_luxel(look);
+    ASSERT_EQ(result.code, 0) << result.error;
+    EXPECT_EQ(Json::parse(result.out).at("view"), "seed 7 view 3");
+    look[11] = "3";
+    EXPECT_EQ(run_luxel(look).code, 2);
 }
 
 } // namespace

@@ -21,6 +21,7 @@ void add_reference(CLI::App& app, const Global& global);
 void add_diff(CLI::App& app, const Global& global);
 void add_techniques(CLI::App& app, const Global& global);
 void add_info(CLI::App& app, const Global& global);
+void add_views(CLI::App& app, const Global& global);
 void add_devices(CLI::App& app, const Global& global);
 
 } // namespace luxel::app

@@ -126,6 +126,7 @@ void add_evaluate(CLI::App& app, const Global& global) {
     command
         ->add_option("--view", o->settings.views.names, "Only this view, by name or number; may be repeated")
         ->allow_extra_args(false);
+    add_cameras_option(*command, o->settings.views.file)->excludes("--views");
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
     command->add_option("--device", o->settings.device,

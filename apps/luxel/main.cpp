@@ -77,8 +77,8 @@ int run(int argc, char** argv) {
     });
 
     using namespace luxel::app;
-    for (auto add :
-         {add_evaluate, add_render, add_reference, add_diff, add_techniques, add_info, add_devices})
+    for (auto add : {add_evaluate, add_render, add_reference, add_diff, add_techniques, add_info, add_views,
+                     add_devices})
         add(app, global);
     require_known_subcommand(app, argc, argv);
     try {

@@ -43,6 +43,11 @@ std::vector<std::pair<std::string, std::string>> parse_values(const std::string&
     return text.empty() ? decltype(Specification::values){} : parse_specification(option + ":" + text).values;
 }
 
+CLI::Option* add_cameras_option(CLI::App& command, std::string& file) {
+    return command.add_option("--cameras", file,
+                              "Camera script, TOML, instead of the scene's cameras; see luxel views");
+}
+
 void print_warnings(const std::vector<std::string>& warnings) {
     const std::size_t shown = std::min(warnings.size(), printed_warnings);
     for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "luxel: warning: {}\n", warnings[i]);

@@ -19,6 +19,9 @@ struct Size {
 // "WIDTHxHEIGHT", each 1 to max_image_side. Error Fault::usage.
 Size parse_size(const std::string& text);
 
+// --cameras FILE.toml.
+CLI::Option* add_cameras_option(CLI::App& command, std::string& file);
+
 // "key=value,key=value" for --frame. Error Fault::usage.
 std::vector<std::pair<std::string, std::string>> parse_values(const std::string& option,
                                                               const std::string& text);

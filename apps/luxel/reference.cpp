@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> components = {"full"};
-    std::string scene, output, size = "640x480", view = "0", settings;
+    std::string scene, output, size = "640x480", view = "0", cameras, settings;
     ReferenceSettings reference;
     std::string resume;
     float exposure = 0;
@@ -46,7 +46,7 @@ void run(Options options, const Global& global) {
     const Scene scene = load(options.scene, global);
     const RayCaster rays(scene);
     request.width = size.width, request.height = size.height;
-    request.camera = choose_views(rays, {.names = {options.view}})[0];
+    request.camera = choose_views(rays, {.file = options.cameras, .names = {options.view}})[0];
     request.settings = options.reference;
     request.checkpoint = options.resume;
     request.quiet = global.quiet;
@@ -88,6 +88,7 @@ void add_reference(CLI::App& app, const Global& global) {
         ->allow_extra_args(false)
         ->capture_default_str();
     command->add_option("--view", o->view, "Camera by name or number")->capture_default_str();
+    add_cameras_option(*command, o->cameras);
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--spp", o->reference.spp, "Samples a pixel, at most")
         ->check(CLI::Range(1, 1 << 20))

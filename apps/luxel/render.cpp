@@ -15,7 +15,7 @@ namespace luxel::app {
 namespace {
 
 struct Options {
-    std::string scene, output, use, size = "640x480", view = "0", frame, device, image;
+    std::string scene, output, use, size = "640x480", view = "0", cameras, frame, device, image;
     float exposure = 0;
 };
 
@@ -27,7 +27,7 @@ RenderResult render(const Scene& scene, const Options& o, const FrameOptions& fr
     Renderer renderer(gpu, scene, frame);
     const RayCaster rays(scene);
     RenderRequest request;
-    request.camera = choose_views(rays, {.names = {o.view}})[0];
+    request.camera = choose_views(rays, {.file = o.cameras, .names = {o.view}})[0];
     request.width = size.width, request.height = size.height;
     for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
     if (!o.image.empty()) request.images = {o.image};
@@ -70,6 +70,7 @@ void add_render(CLI::App& app, const Global& global) {
     command->add_option("--use", o->use,
                         "T[:key=value,...], several slots joined by +; default: direct light alone");
     command->add_option("--view", o->view, "Camera by name or number")->capture_default_str();
+    add_cameras_option(*command, o->cameras);
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
     command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");

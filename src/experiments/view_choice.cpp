@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "scene/camera_file.h"
 #include "scene/views.h"
 
 namespace luxel {
@@ -33,6 +34,15 @@ const Camera* find_view(const std::vector<Camera>& cameras, const std::string& w
     return nullptr;
 }
 
+std::vector<Camera> all_views(const RayCaster& rays, const ViewChoice& choice) {
+    if (!choice.file.empty() && choice.drawn > 0)
+        fail(Fault::usage, "{}: cameras: give a camera script or a number of drawn views, not both",
+             choice.file);
+    if (!choice.file.empty()) return load_camera_file(choice.file);
+    if (choice.drawn > 0) return draw_views(rays.scene(), rays, choice.drawn, choice.seed);
+    return rays.scene().cameras;
+}
+
 } // namespace
 
 std::string file_name_of(const std::string& name) {
@@ -44,9 +54,7 @@ std::string file_name_of(const std::string& name) {
 }
 
 std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice) {
-    const Scene& scene = rays.scene();
-    std::vector<Camera> all =
-        choice.drawn > 0 ? draw_views(scene, rays, choice.drawn, choice.seed) : scene.cameras;
+    std::vector<Camera> all = all_views(rays, choice);
     make_names_unique(all);
     if (choice.names.empty()) return all;
 

@@ -11,7 +11,8 @@
 namespace luxel {
 
 struct ViewChoice {
-    int drawn = 0; // > 0: that many views drawn by seed instead of the scene's cameras
+    std::string file; // a camera script instead of the scene's cameras; empty = none
+    int drawn = 0;    // > 0: that many views drawn by seed instead
     std::uint32_t seed = 1;
     std::vector<std::string> names; // only these: names, or numbers from 0; empty = all
 };

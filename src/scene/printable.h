@@ -16,4 +16,12 @@ inline std::string printable(std::string_view text, std::size_t longest = 120) {
     return shown;
 }
 
+// For comments in files that other programs parse: whatever is no plain ASCII is replaced as well.
+inline std::string ascii(std::string_view text, std::size_t longest = 120) {
+    std::string shown = printable(text, longest);
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+    return shown;
+}
+
 } // namespace luxel

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/file.h"
+#include "scene/camera_file.h"
 #include "scene/environment.h"
 #include "scene/lights.h"
 #include "scene/printable.h"
@@ -16,34 +17,11 @@
 namespace luxel {
 namespace {
 
-constexpr std::uint64_t max_file_bytes = 256 << 10;
 constexpr std::uint64_t max_map_bytes = std::uint64_t(512) << 20;
 constexpr std::size_t max_geometry_files = 64;
 
-// Each dot of a key nests a table, and the parser bounds only brackets: long chains would end on the stack.
-constexpr int max_dots_per_line = 64;
-
-constexpr double far_away = 1e9; // meters
-constexpr double bright = 1e12;  // W/sr, W/m2 or W/(m2 sr)
+constexpr double bright = 1e12; // W/sr, W/m2 or W/(m2 sr)
 float radians(float degrees) { return degrees * (shared::PI / 180.0f); }
-
-toml::table parse(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file(path, max_file_bytes);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    int line = 1, dots = 0;
-    for (const char c : text) {
-        if (c == '\n') ++line, dots = 0;
-        if (c == '.' && ++dots > max_dots_per_line)
-            fail(Fault::bad_input, "{}: line {}: more than {} dots on one line", path.string(), line,
-                 max_dots_per_line);
-    }
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        fail(Fault::bad_input, "{}: line {}: {}", path.string(), error.source().begin.line,
-             printable(error.description()));
-    }
-}
 
 // The path of geometry named in a scene file: beneath its folder, through no symbolic link.
 std::filesystem::path beneath(const std::filesystem::path& root, const std::string& relative,
@@ -148,20 +126,6 @@ void read_geometry(Section& top, const std::filesystem::path& root, const LoadOp
     }
 }
 
-// Either a direction, or a target to look at from `position`.
-std::optional<glm::vec3> aim(Section& section, std::string_view direction_key,
-                             std::optional<glm::vec3> position) {
-    const auto direction = section.direction(direction_key);
-    const auto target = section.triple("target", -far_away, far_away);
-    if (!target) return direction;
-    if (direction)
-        section.reject("target", fmt::format("give \"{}\" or \"target\", not both", direction_key));
-    if (!position) section.reject("target", "\"target\" needs \"position\"");
-    if (glm::length(*target - *position) < 1e-6f)
-        section.reject("target", "\"target\" is where \"position\" is");
-    return glm::normalize(*target - *position);
-}
-
 shared::Light read_light(Section& section) {
     shared::Light light{};
     const std::string type = section.required_text("type");
@@ -185,7 +149,7 @@ shared::Light read_light(Section& section) {
     light.position = position.value_or(glm::vec3(0.0f));
     light.direction = {0, -1, 0};
     if (light.type != shared::LIGHT_POINT) {
-        const auto direction = aim(section, "direction", position);
+        const auto direction = section.aim("direction", position);
         if (!direction)
             section.reject("type", fmt::format("a {} light needs \"direction\" or \"target\"", type));
         light.direction = *direction;
@@ -198,24 +162,6 @@ shared::Light read_light(Section& section) {
     }
     section.finish();
     return light;
-}
-
-Camera read_camera(Section& section, std::size_t number) {
-    Camera camera;
-    camera.name = section.text("name").value_or(fmt::format("camera {}", number));
-    camera.position = section.required_triple("position", -far_away, far_away);
-    const auto forward = aim(section, "forward", camera.position);
-    if (!forward) section.reject("position", "a camera needs \"forward\" or \"target\"");
-    camera.forward = *forward;
-    camera.up = section.direction("up").value_or(glm::vec3(0, 1, 0));
-    if (glm::length(glm::cross(camera.forward, camera.up)) < 1e-3f)
-        section.reject("up", "the camera looks along its \"up\"; give another one");
-    camera.yfov = radians(section.number("yfov_degrees", 0.1, 179).value_or(45.0f));
-    camera.near = section.number("near", 1e-6, far_away).value_or(camera.near);
-    camera.far = section.number("far", 1e-6, far_away).value_or(std::max(camera.far, camera.near * 1e4f));
-    if (camera.far <= camera.near) section.reject("far", "\"far\" is not beyond \"near\"");
-    section.finish();
-    return camera;
 }
 
 Image read_map(Section& section, const Folder& folder, const std::string& file,
@@ -247,7 +193,7 @@ Environment read_environment(Section& section, const Folder& folder, std::vector
 } // namespace
 
 Scene load_scene_file(const std::filesystem::path& path, const LoadOptions& options) {
-    const toml::table table = parse(path);
+    const toml::table table = parse_toml(path);
     const Folder folder(path.has_parent_path() ? path.parent_path() : ".");
     Section top(table, path.string(), "");
 

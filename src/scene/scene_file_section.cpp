@@ -5,9 +5,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/file.h"
 #include "scene/printable.h"
 
 namespace luxel {
+namespace {
+
+constexpr std::uint64_t max_file_bytes = 256 << 10;
+
+// Each dot of a key nests a table, and the parser bounds only brackets: long chains would end on the stack.
+constexpr int max_dots_per_line = 64;
+
+} // namespace
+
+toml::table parse_toml(const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> bytes = read_file(path, max_file_bytes);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    int line = 1, dots = 0;
+    for (const char c : text) {
+        if (c == '\n') ++line, dots = 0;
+        if (c == '.' && ++dots > max_dots_per_line)
+            fail(Fault::bad_input, "{}: line {}: more than {} dots on one line", path.string(), line,
+                 max_dots_per_line);
+    }
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        fail(Fault::bad_input, "{}: line {}: {}", path.string(), error.source().begin.line,
+             printable(error.description()));
+    }
+}
 
 const toml::node* Section::find(std::string_view key) {
     if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
@@ -77,6 +104,16 @@ std::optional<glm::vec3> Section::direction(std::string_view key) {
     if (!value) return std::nullopt;
     if (glm::length(*value) < 1e-6f) reject(key, fmt::format("\"{}\" has no length", key));
     return glm::normalize(*value);
+}
+
+std::optional<glm::vec3> Section::aim(std::string_view direction_key, std::optional<glm::vec3> position) {
+    const auto given = direction(direction_key);
+    const auto target = triple("target", -far_away, far_away);
+    if (!target) return given;
+    if (given) reject("target", fmt::format("give \"{}\" or \"target\", not both", direction_key));
+    if (!position) reject("target", "\"target\" needs \"position\"");
+    if (glm::length(*target - *position) < 1e-6f) reject("target", "\"target\" is where \"position\" is");
+    return glm::normalize(*target - *position);
 }
 
 std::optional<Section> Section::section(std::string_view key) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One table of a scene file, read key by key: whatever was not asked for in the end is an error.
+// One table of a TOML file, read key by key: whatever was not asked for in the end is an error.
 #pragma once
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,11 @@
 #include "core/error.h"
 
 namespace luxel {
+
+inline constexpr double far_away = 1e9; // meters; no coordinate is larger
+
+// A file of at most 256 KiB. Errors: Fault::bad_input (with the line), Fault::io.
+toml::table parse_toml(const std::filesystem::path& path);
 
 class Section {
 public:
@@ -28,6 +34,8 @@ public:
     // Three numbers, or one that stands for all three where `allow_one`.
     std::optional<glm::vec3> triple(std::string_view key, double least, double most, bool allow_one = false);
     std::optional<glm::vec3> direction(std::string_view key); // made unit
+    // A direction under `direction_key`, or from `position` to a "target".
+    std::optional<glm::vec3> aim(std::string_view direction_key, std::optional<glm::vec3> position);
     std::optional<Section> section(std::string_view key);
     std::vector<Section> sections(std::string_view key); // [[key]]
 
