@@ -2,85 +2,24 @@
 // Image-space radiosity on analytic G-buffers: closed forms and invariants. The bound against the reference
 // is in tests/.
 #include "techniques/isr/gather.h"
-#include "techniques/isr/isr.h"
-
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "techniques/isr/analytic_frame.h"
+#include "techniques/isr/gather.h"
+
 namespace luxel {
 namespace {
 
+using testing::Analytic;
+using testing::AnalyticFrame;
+using testing::corner_form_factor;
+using testing::floor_and_wall;
+using testing::mean_over_block;
+
 constexpr float pi = std::numbers::pi_v<float>;
-
-struct Analytic {
-    float t = 0; // along the pixel ray (component 1 along the view direction), 0 = background
-    glm::vec3 normal{0}, albedo{0}, radiance{0};
-};
-
-// A frame whose every pixel is computed from its ray: camera at (0, 1, 0) looking along -z.
-struct AnalyticFrame {
-    gpu::Gpu gpu{{.validation = true}};
-    Frame frame;
-
-    AnalyticFrame(int width, int height,
-                  const std::function<Analytic(glm::vec3 origin, glm::vec3 ray)>& trace) {
-        frame.width = std::uint32_t(width), frame.height = std::uint32_t(height);
-        shared::ViewParams& v = frame.view;
-        v.position = {0, 1, 0}, v.forward = {0, 0, -1};
-        v.right = {float(width) / float(height), 0, 0}, v.up = {0, 1, 0};
-        v.width = float(width), v.height = float(height);
-        Image depth(width, height, 1), normal(width, height, 4), diffuse(width, height, 4),
-            direct(width, height, 4);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                glm::vec3 ray = world_position(v, {float(x) + 0.5f, float(y) + 0.5f}, 1.0f) - v.position;
-                Analytic a = trace(v.position, ray);
-                *depth.at(x, y) = a.t;
-                normal.set_rgb(x, y, a.normal);
-                diffuse.set_rgb(x, y, a.albedo);
-                direct.set_rgb(x, y, a.radiance);
-            }
-        frame.gbuffer.depth = gpu.upload_image(depth, "depth");
-        frame.gbuffer.normal = frame.gbuffer.geometric_normal = gpu.upload_image(normal, "normal");
-        frame.gbuffer.diffuse = gpu.upload_image(diffuse, "diffuse");
-        frame.direct = frame.direct_diffuse = gpu.upload_image(direct, "direct");
-    }
-
-    // rgb = radiance, in the second image r = accessibility.
-    std::pair<Image, Image> run(const std::vector<std::pair<std::string, std::string>>& options) {
-        Isr isr;
-        set_parameters(isr, "isr", options);
-        gpu::Recorder recorder(gpu);
-        Contribution c = isr.render(recorder, frame);
-        recorder.submit();
-        EXPECT_TRUE(gpu.validation_messages().empty());
-        return {gpu.read(c.radiance), gpu.read(c.accessibility)};
-    }
-};
-
-// Floor y = 0 (black source, albedo 1) that ends at a wall z = -2 (radiance 1, no albedo).
-Analytic floor_and_wall(glm::vec3 o, glm::vec3 ray) {
-    float to_floor = ray.y < 0 ? -o.y / ray.y : 1e30f, to_wall = 2.0f / -ray.z;
-    if (to_floor < to_wall) return {to_floor, {0, 1, 0}, glm::vec3(1), glm::vec3(0)};
-    return {to_wall, {0, 0, 1}, glm::vec3(0), glm::vec3(1)};
-}
-
-// Form factor from a point at distance c of a perpendicular rectangle's edge, opposite to one of its corners,
-// to the rectangle of width b along that edge and height a (Hottel and Sarofim's configuration B-4).
-double corner_form_factor(double a, double b, double c) {
-    double x = a / b, y = c / b, s = std::sqrt(x * x + y * y);
-    return (std::atan(1 / y) - y / s * std::atan(1 / s)) / (2 * std::numbers::pi);
-}
-
-double mean_over_block(const Image& image, int x0, int y0, int size) {
-    double sum = 0;
-    for (int y = y0; y < y0 + size; ++y)
-        for (int x = x0; x < x0 + size; ++x) sum += image.at(x, y)[0];
-    return sum / (size * size);
-}
 
 TEST(Isr, FloorBeforeALitWallReceivesItsFormFactor) {
     constexpr int size = 256;
@@ -90,9 +29,7 @@ TEST(Isr, FloorBeforeALitWallReceivesItsFormFactor) {
     // The visible wall is the rectangle x in [-2, 2], y in [0, 3]; compare along the image's middle column.
     for (int y : {205, 220, 240}) {
         int x = size / 2 - 4;
-        glm::vec3 ray =
-            world_position(f.frame.view, {float(size) / 2, float(y) + 4.0f}, 1.0f) - f.frame.view.position;
-        double to_wall = 2.0 + double(ray.z) * (-1.0 / double(ray.y));
+        double to_wall = 2.0 + testing::floor_z(f.frame.view, float(y) + 4.0f);
         double expected = 2 * corner_form_factor(3, 2, to_wall); // E/pi = F for a wall of radiance 1
         EXPECT_NEAR(mean_over_block(radiance, x, y, 8) / expected, 1.0, 0.03) << "distance " << to_wall;
     }
