@@ -21,5 +21,14 @@ LUXEL_FN vec3 sh_irradiance(AmbientParams p, vec3 n) {
     return max(band0 * PI + band1 * (2.0f * PI / 3.0f) + band2 * (PI / 4.0f), vec3(0.0f));
 }
 
+// Radiance that arrives from the unit direction d. Not clamped: its integral over a hemisphere is
+// sh_irradiance.
+LUXEL_FN vec3 sh_radiance(AmbientParams p, vec3 d) {
+    return p.sh[0] * 0.2820948f + (p.sh[1] * d.y + p.sh[2] * d.z + p.sh[3] * d.x) * 0.4886025f +
+           (p.sh[4] * (d.x * d.y) + p.sh[5] * (d.y * d.z) + p.sh[7] * (d.x * d.z)) * 1.0925484f +
+           p.sh[6] * (0.3153916f * (3.0f * d.z * d.z - 1.0f)) +
+           p.sh[8] * (0.5462742f * (d.x * d.x - d.y * d.y));
+}
+
 LUXEL_END
 #endif

@@ -7,6 +7,7 @@
 #include "core/parameters.h"
 #include "gpu/recorder.h"
 #include "scene/scene.h"
+#include "techniques/frame/ambient_params.h"
 #include "techniques/frame/gpu_scene.h"
 #include "techniques/frame/view_params.h"
 
@@ -47,6 +48,7 @@ struct CaptureRequest {
 struct Frame : Capture {
     Camera camera;
     gpu::Image ambient; // RGBA32F: unoccluded environment light off the diffuse lobe; black without
+    shared::AmbientParams ambient_sh{}; // the environment's radiance that `ambient` is made of; 0 without
     // The scene again, from another view or behind what one sees, by the passes that made this frame.
     std::function<Capture(gpu::Recorder&, const CaptureRequest&)> capture;
 };

@@ -107,6 +107,7 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     static_cast<Capture&>(f) = f.capture(recorder, {.view = view});
     f.camera = request.camera;
     f.ambient = recorder.image({.width = f.width, .height = f.height}, "ambient");
+    f.ambient_sh = ambient;
     add_ambient(recorder, f);
     return f;
 }
