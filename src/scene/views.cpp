@@ -42,6 +42,7 @@ struct Point {
 
 struct Probe {
     int rays = 0, backs = 0, single_sided_backs = 0; // hits from behind
+    int emitters = 0;
     std::vector<Point> points;
     std::vector<float> distances; // of the points
 };
@@ -51,6 +52,8 @@ std::optional<Point> hit_point(const RayCaster& rays, const Ray& ray, Hit& hit) 
     const glm::vec3 n = glm::normalize(hit.geometric_normal);
     return Point{ray.origin + ray.direction * hit.t, glm::dot(n, ray.direction) < 0.0f ? n : -n};
 }
+
+bool emits(const Material& material) { return material.emission != glm::vec3(0.0f); }
 
 Probe look(const RayCaster& rays, const Camera& camera) {
     const Scene& scene = rays.scene();
@@ -66,9 +69,11 @@ Probe look(const RayCaster& rays, const Camera& camera) {
         probe.points.push_back(*point);
         probe.distances.push_back(hit.t * glm::length(direction));
         const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+        const Material& material = scene.materials[std::size_t(mesh.material)];
+        if (emits(material)) ++probe.emitters;
         if (glm::dot(hit.geometric_normal, direction) <= 0.0f) continue;
         ++probe.backs;
-        if (!scene.materials[std::size_t(mesh.material)].double_sided) ++probe.single_sided_backs;
+        if (!material.double_sided) ++probe.single_sided_backs;
     }
     return probe;
 }
@@ -79,11 +84,23 @@ float median(std::vector<float>& values) {
     return *middle;
 }
 
+// How many of the points lie in the plane of one of them, at most.
+int most_in_one_plane(const std::vector<Point>& points, float tolerance) {
+    std::ptrdiff_t most = 0;
+    for (const Point& p : points)
+        most = std::max(most, std::count_if(points.begin(), points.end(), [&](const Point& q) {
+                            return glm::dot(p.normal, q.normal) > 0.99f &&
+                                   std::abs(glm::dot(p.normal, q.position - p.position)) < tolerance;
+                        }));
+    return int(most);
+}
+
 // Trial of views by what a grid of rays meets.
 class Judge {
 public:
     Judge(const RayCaster& rays, std::uint32_t seed)
-        : rays_(rays), radius_(rays.scene().bounds().radius()), lights_(all_lights(rays.scene(), seed)) {}
+        : rays_(rays), radius_(rays.scene().bounds().radius()), lights_(all_lights(rays.scene(), seed)),
+          all_emit_(std::ranges::all_of(rays.scene().materials, emits)) {}
 
     bool accepts(const Camera& camera, std::uint32_t key) const {
         Probe probe = look(rays_, camera);
@@ -95,10 +112,11 @@ public:
         if (probe.single_sided_backs * 20 > hits || probe.backs * 2 > hits) return false;
         if (median(probe.distances) <= 0.02f * radius_) return false;
 
-        // One flat wall that fills the view: the mean of its normals is as long as each of them.
-        glm::vec3 mean(0.0f);
-        for (const Point& point : probe.points) mean += point.normal / float(hits);
-        return glm::length(mean) < 0.9f && is_lit(probe, key);
+        // A wall or a lamp that fills the view leaves too little to compare techniques by. In a room that
+        // glows all over there is nothing else to see.
+        if (probe.emitters * 10 > hits && !all_emit_) return false;
+        if (most_in_one_plane(probe.points, 0.01f * radius_) * 10 > hits * 6) return false;
+        return is_lit(probe, key);
     }
 
 private:
@@ -127,7 +145,8 @@ private:
     }
 
     // Cavities between the shells of a building look like corridors, but no light ever gets there, not even
-    // by one bounce. Full shade with light around the corner is wanted, so a few receiving paths are enough.
+    // by one bounce. Full shade with light around the corner is wanted, so a tenth of receiving paths is
+    // enough.
     bool is_lit(const Probe& probe, std::uint32_t key) const {
         if (lights_.empty()) return true;
         int paths = 0, receiving = 0;
@@ -142,12 +161,13 @@ private:
             const auto second = hit_point(rays_, bounce, hit);
             receiving += receives(point, c) || (second && receives(*second, shared::pcg(c)));
         }
-        return receiving * 100 >= paths;
+        return receiving * 10 >= paths;
     }
 
     const RayCaster& rays_;
     float radius_;
     std::vector<shared::Light> lights_;
+    bool all_emit_;
 };
 
 } // namespace

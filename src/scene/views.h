@@ -13,9 +13,9 @@ namespace luxel {
 std::vector<Camera> default_cameras(const Scene& scene);
 
 // `count` valid views drawn by seed inside the scene: sees geometry in at least 80 % of probe rays, not
-// inside a wall (median distance above 2 % of the scene radius, few back faces), not filled by one flat wall,
-// in a place that light reaches directly or by one bounce, roughly horizontal. `rays` must be of `scene`.
-// Error Fault::bad_input when none is found in a bounded number of tries.
+// inside a wall (median distance above 2 % of the scene radius, few back faces), at most 60 % in one plane
+// and 10 % emitters, a tenth or more of it reached by light directly or by one bounce, roughly horizontal.
+// `rays` must be of `scene`. Error Fault::bad_input when none is found in a bounded number of tries.
 std::vector<Camera> draw_views(const Scene& scene, const RayCaster& rays, int count, std::uint32_t seed);
 
 } // namespace luxel
