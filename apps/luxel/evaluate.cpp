@@ -135,8 +135,8 @@ void add_evaluate(CLI::App& app, const Global& global) {
     add_measurement_options(*command, *o);
     command->footer(
         "Direct light alone is always the first row. The truth is path traced at pixel centers, where the\n"
-        "frame samples, and stored by its content for the next run. Gains smaller than the truth's own\n"
-        "noise are marked ~.\n"
+        "frame samples, and stored by its content for the next run. What the truth's noise\n"
+        "adds to errors is taken out; a gain that noise could explain is marked ~.\n"
         "--component ao measures the accessibility that rows multiply ambient light by, not light: its\n"
         "figures are of linear values in [0, 1], and the first row is open everywhere.\n"
         "Examples:\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -33,18 +34,37 @@ Image display(const Image& radiance, float exposure) {
     return shown;
 }
 
+namespace {
+
+constexpr int exposure_blocks = 48; // along the height
+
+// Mean luminance of the pixels that count in one square of the image; nothing where none does.
+std::optional<float> block_luminance(const Image& image, const Image& mask, int left, int top, int side) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = top; y < std::min(top + side, image.height); ++y)
+        for (int x = left; x < std::min(left + side, image.width); ++x) {
+            if (!mask.empty() && !(*mask.at(x, y) > 0.0f)) continue;
+            const float value = luminance(image.rgb(x, y));
+            if (std::isfinite(value)) sum += double(std::max(value, 0.0f)), ++count;
+        }
+    if (count == 0) return std::nullopt;
+    return float(sum / count);
+}
+
+} // namespace
+
 float exposure_of(const Image& reference, const Image& mask) {
     LUXEL_ASSERT(mask.empty() || (mask.width == reference.width && mask.height == reference.height),
                  "mask {}x{}, image {}x{}", mask.width, mask.height, reference.width, reference.height);
+    // Blocks, not pixels: the bright end of a noisy image is its noise.
+    const int side = std::max(1, reference.height / exposure_blocks);
     std::vector<float> values;
-    for (int y = 0; y < reference.height; ++y)
-        for (int x = 0; x < reference.width; ++x) {
-            if (!mask.empty() && !(*mask.at(x, y) > 0.0f)) continue;
-            const float value = luminance(reference.rgb(x, y));
-            if (std::isfinite(value)) values.push_back(std::max(value, 0.0f));
-        }
+    for (int y = 0; y < reference.height; y += side)
+        for (int x = 0; x < reference.width; x += side)
+            if (const auto value = block_luminance(reference, mask, x, y, side)) values.push_back(*value);
 
-    // Where more than 98 % of the pixels are black, the percentile of the lit ones is meant.
+    // Where more than 98 % of the blocks are black, the percentile of the lit ones is meant.
     const auto percentile = [&values] {
         const std::size_t rank = std::size_t(std::ceil(0.98 * double(values.size()))) - 1;
         std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(rank), values.end());

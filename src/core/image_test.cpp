@@ -38,6 +38,18 @@ TEST(Image, ExposureSendsThePercentileToOne) {
     EXPECT_NEAR(exposure_of(ramp, mask) * 10.0f, 1.0f, 1e-5);
 }
 
+// Noise of single pixels, as strong as the signal, must not darken the picture.
+TEST(Image, ExposureDoesNotFollowNoise) {
+    Image noisy(512, 384, 3);
+    unsigned state = 1;
+    for (int y = 0; y < noisy.height; ++y)
+        for (int x = 0; x < noisy.width; ++x) {
+            state = state * 1664525u + 1013904223u;
+            noisy.set_rgb(x, y, glm::vec3((state >> 31) != 0 ? 4.0f : 0.0f)); // mean 2
+        }
+    EXPECT_NEAR(exposure_of(noisy, {}) * 2.0f, 1.0f, 0.25f);
+}
+
 TEST(Image, ExposureOfDarkImages) {
     Image black(64, 64, 3);
     EXPECT_EQ(exposure_of(black, {}), 1.0f);

@@ -102,7 +102,7 @@ ViewResult evaluate_view(Renderer& renderer, const RayCaster& rays, const Camera
         candidates.push_back(make_candidate(target, std::move(image)));
         view.rows.push_back(row_result(f));
         view.rows.back().figures = measure(target, candidates[0], candidates.back());
-        view.rows.back().claimed = is_claimed(view.rows[0].figures, view.rows.back().figures, view.noise);
+        view.rows.back().claimed = is_claimed(view.rows.back().figures);
     }
     sink({view, target, candidates});
     return view;
@@ -157,8 +157,7 @@ EvaluationResult evaluate(const Scene& scene, const EvaluationSettings& settings
     for (const ViewResult& view : result.views) result.mean_noise += view.noise / double(cameras.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         result.mean.push_back(mean_row(result, i));
-        result.mean[i].claimed =
-            is_claimed(result.mean[0].figures, result.mean[i].figures, result.mean_noise);
+        result.mean[i].claimed = is_claimed(result.mean[i].figures);
     }
     return result;
 }

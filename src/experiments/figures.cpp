@@ -2,11 +2,14 @@
 #include "experiments/figures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/error.h"
 #include "core/flip.h"
 #include "core/metrics.h"
 #include "experiments/components.h"
+#include "experiments/noise_free.h"
 
 namespace luxel {
 
@@ -17,6 +20,12 @@ double mean_inside(const Image& map, const Image& mask) {
     for (std::size_t i = 0; i < mask.data.size(); ++i)
         if (mask.data[i] > 0) sum += map.data[i], ++count;
     return count > 0 ? sum / count : 0.0;
+}
+
+Image average(const Image& a, const Image& b) {
+    Image mean = a;
+    for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] = 0.5f * (a.data[i] + b.data[i]);
+    return mean;
 }
 
 } // namespace
@@ -49,10 +58,16 @@ Target make_target(const Truth& truth, const std::vector<std::string>& component
     if (!is_accessibility(components)) target.exposure = exposure_of(target.radiance, target.mask);
     target.shown = shown_of(target.radiance, target.exposure);
 
-    // The mean of two halves errs half as much as the halves differ.
-    const Image even = shown_of(sum_of(truth.half[0], components), target.exposure);
-    const Image odd = shown_of(sum_of(truth.half[1], components), target.exposure);
-    target.noise = 0.5 * mean_error(even, odd, target.mask);
+    // Fewer samples: each group alone, and each pair of groups.
+    for (const Layers& group : truth.group)
+        target.quarters.push_back(make_candidate(target, sum_of(group, components)));
+    for (std::size_t i = 0; i < target.quarters.size(); ++i)
+        for (std::size_t j = i + 1; j < target.quarters.size(); ++j)
+            target.halves.push_back(
+                make_candidate(target, average(target.quarters[i].radiance, target.quarters[j].radiance)));
+
+    // The mean of two halves errs half as much as the halves differ: first and last pair share no group.
+    target.noise = 0.5 * mean_error(target.halves.front().shown, target.halves.back().shown, target.mask);
     return target;
 }
 
@@ -63,19 +78,21 @@ Candidate make_candidate(const Target& target, Image radiance) {
 
 Figures measure(const Target& target, const Candidate& baseline, const Candidate& candidate) {
     const Image& shown = candidate.shown;
-    const double baseline_delta = mean_error(target.shown, baseline.shown, target.mask);
-    const Improvement closer = improvement(target.shown, baseline.shown, shown, target.mask);
+    const NoiseFree noise_free = noise_free_figures(target, baseline, candidate);
+    const BiasedFigures& best = noise_free.figures;
 
     Figures f;
-    f.delta = mean_error(target.shown, shown, target.mask);
-    f.gain = gain(baseline_delta, f.delta);
-    f.rho = correlation(target.shown, shown, target.mask);
-    f.improved = closer.improved;
-    f.tied = closer.tied;
-    f.quality = quality(f.delta, baseline_delta);
-    f.rmse = rmse(target.radiance, candidate.radiance, target.mask);
-    f.relmse = relmse(target.radiance, candidate.radiance, target.mask);
-    f.psnr = psnr(target.shown, shown, target.mask);
+    f.delta = best.delta;
+    f.gain = gain(best.baseline_delta, f.delta);
+    f.gain_error = noise_free.gain_error;
+    f.rho = std::clamp(best.rho, -1.0, 1.0);
+    f.improved = std::clamp(best.improved, 0.0, 1.0);
+    f.tied = std::clamp(best.tied, 0.0, 1.0 - f.improved);
+    f.quality = quality(f.delta, best.baseline_delta);
+    f.rmse = std::sqrt(std::max(best.mse, 0.0));
+    f.relmse = std::max(best.relmse, 0.0);
+    f.psnr =
+        best.shown_mse > 0.0 ? -10.0 * std::log10(best.shown_mse) : std::numeric_limits<double>::infinity();
     f.ssim = ssim(target.shown, shown, target.mask);
     // FLIP filters over neighbors: outside, both images are made the same.
     f.flip =
@@ -89,8 +106,12 @@ Figures mean_of(const std::vector<Figures>& figures) {
                                             &Figures::rmse,     &Figures::relmse, &Figures::psnr,
                                             &Figures::ssim,     &Figures::flip};
     Figures mean;
-    for (const Figures& f : figures)
+    double squares = 0; // the views' errors are independent
+    for (const Figures& f : figures) {
         for (double Figures::*member : members) mean.*member += f.*member / double(figures.size());
+        squares += f.gain_error * f.gain_error;
+    }
+    mean.gain_error = std::sqrt(squares) / double(figures.size());
     return mean;
 }
 

@@ -11,10 +11,10 @@ namespace luxel {
 
 namespace {
 
-// Per pixel. A component: nine sums in double precision, then mean, variance and two halves in single
-// precision, and one more copy in flight. A frame: geometry and light buffers, the picture, and the metrics'
-// filtered copies.
-constexpr std::uint64_t component_bytes = 9 * 8 + 4 * 12 + 4 * 12, frame_bytes = 512;
+// Per pixel. A component: fifteen sums in double precision, then mean, variance and four groups in single
+// precision, and one more copy in flight. A frame: geometry and light buffers, the picture, the metrics'
+// filtered copies, and the truth from fewer samples, ten times as radiance and as display values.
+constexpr std::uint64_t component_bytes = 15 * 8 + 6 * 12 + 6 * 12, frame_bytes = 512 + 10 * 2 * 12;
 
 // What the system could give without swapping; unknown systems refuse nothing.
 std::uint64_t available_bytes() {

@@ -17,7 +17,7 @@ namespace luxel {
 
 namespace {
 
-constexpr std::string_view magic = "luxel reference 1\n";
+constexpr std::string_view magic = "luxel reference 2\n";
 constexpr std::uint64_t largest_file = std::uint64_t(8) << 30;
 
 constexpr std::size_t key_size = 16;
@@ -39,16 +39,16 @@ struct Block {
 std::vector<Block> blocks_of(const Truth& truth) {
     std::vector<Block> blocks = {{"mask", "", &truth.mask}};
     for (const auto& [name, image] : truth.mean) blocks.push_back({"mean", name, &image});
-    for (int i = 0; i < 2; ++i)
-        for (const auto& [name, image] : truth.half[i])
-            blocks.push_back({i ? "half1" : "half0", name, &image});
+    for (std::size_t i = 0; i < truth.group.size(); ++i)
+        for (const auto& [name, image] : truth.group[i])
+            blocks.push_back({fmt::format("group{}", i), name, &image});
     return blocks;
 }
 
 Image& place_of(Truth& truth, const std::string& group, const std::string& name) {
     if (group == "mask") return truth.mask;
     if (group == "mean") return truth.mean[name];
-    return truth.half[group == "half1"][name];
+    return truth.group[std::size_t(group.back() - '0')][name];
 }
 
 std::string encode(const Truth& truth) {
@@ -144,7 +144,7 @@ Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const s
     truth.spp = estimate.spp;
     truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     truth.mean = std::move(estimate.mean);
-    truth.half[0] = std::move(estimate.half[0]), truth.half[1] = std::move(estimate.half[1]);
+    truth.group = std::move(estimate.group);
     truth.mask = std::move(estimate.mask);
 
     // The images are at hand whether or not they can be kept.

@@ -2,6 +2,7 @@
 // Reference images stored by content: what the same scene, camera and settings computed before is read, not
 // rendered.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,7 +17,8 @@ struct Truth {
     int spp = 0;
     double seconds = 0; // that the rendering took, when it was rendered
     bool cached = false;
-    Layers mean, half[2];
+    Layers mean;
+    std::array<Layers, sample_groups> group; // as in Estimate
     Image mask;
 };
 

@@ -29,6 +29,7 @@ Json to_json(const RowName& name, const RowResult& row) {
     const Figures& f = row.figures;
     json.update({{"delta", f.delta},
                  {"gain", f.gain},
+                 {"gain_error", f.gain_error},
                  {"claimed", row.claimed},
                  {"rho", f.rho},
                  {"improved", f.improved},

@@ -13,13 +13,14 @@ constexpr double mebibyte = 1024.0 * 1024.0;
 
 std::string rows_table(const EvaluationResult& result, const std::vector<RowResult>& rows) {
     std::vector<std::vector<std::string>> cells = {
-        {"technique", "delta", "gain %", "rho", "improved %", "RMSE", "FLIP", "ms", "MiB"}};
+        {"technique", "delta", "gain %", "+-", "rho", "improved %", "RMSE", "FLIP", "ms", "MiB"}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Figures& f = rows[i].figures;
         const bool hidden = i > 0 && f.gain > 0 && !rows[i].claimed;
         cells.push_back({result.rows[i].label, fmt::format("{:.5f}", f.delta),
                          i == 0 ? "-" : fmt::format("{}{:.2f}", hidden ? "~" : "", f.gain),
-                         fmt::format("{:.4f}", f.rho), i == 0 ? "-" : fmt::format("{:.2f}", 100 * f.improved),
+                         i == 0 ? "-" : fmt::format("{:.2f}", f.gain_error), fmt::format("{:.4f}", f.rho),
+                         i == 0 ? "-" : fmt::format("{:.2f}", 100 * f.improved),
                          fmt::format("{:.5f}", f.rmse), fmt::format("{:.4f}", f.flip),
                          fmt::format("{:.2f}", rows[i].ms),
                          fmt::format("{:.1f}", double(rows[i].memory_bytes) / mebibyte)});
@@ -72,7 +73,9 @@ std::string format_result(const EvaluationResult& result, bool verbose) {
                        result.views.size(), result.views.size() == 1 ? "" : "s",
                        fmt::join(result.settings.components, " + "), result.settings.spp, result.mean_noise);
     out += rows_table(result, result.mean);
-    if (hidden) out += "~ not claimed: the gain is smaller than the reference's own noise\n";
+    if (hidden)
+        out += "+- standard error of the gain by the reference's noise; ~ not claimed: the gain is below "
+               "1.96 of it\n";
     if (verbose) out += passes_table(result);
     return out;
 }

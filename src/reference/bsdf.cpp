@@ -23,6 +23,12 @@ glm::vec3 ShadingPoint::origin(glm::vec3 direction) const {
     return surface->position + geometric_normal * (side * surface->offset);
 }
 
+Surface lambertian_part(Surface surface) {
+    surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
+    surface.transmission = 0.0f;
+    return surface;
+}
+
 BsdfValue evaluate_bsdf(const ShadingPoint& p, glm::vec3 wi) {
     BsdfValue value;
     float cos_i = glm::dot(p.normal, wi), cos_o = glm::dot(p.normal, p.wo);

@@ -31,6 +31,9 @@ struct BsdfValue {
 };
 BsdfValue evaluate_bsdf(const ShadingPoint& point, glm::vec3 wi);
 
+// The surface as if it had no lobe but the Lambertian.
+Surface lambertian_part(Surface surface);
+
 struct BsdfSample {
     glm::vec3 wi{0.0f};      // unit
     glm::vec3 weight{0.0f};  // all lobes over the density; zero ends the path

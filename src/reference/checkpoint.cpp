@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are written as they lie in memory");
 
-constexpr char magic[8] = {'L', 'U', 'X', 'E', 'L', 'C', 'P', '1'};
+constexpr char magic[8] = {'L', 'U', 'X', 'E', 'L', 'C', 'P', '2'};
 
 struct Header {
     char magic[8];

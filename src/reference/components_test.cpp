@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "reference/film.h"
 #include "reference/path_tracer.h"
 #include "reference/reference.h"
 #include "reference/test_scenes.h"
@@ -62,6 +63,37 @@ TEST(Components, AloneAndTogetherAgree) {
         Estimate alone = render_reference(rays, request);
         EXPECT_LT(std::abs(welch(measure(all, name), measure(alone, name))), z_999) << name;
         EXPECT_GT(measure(alone, name).mean, 0.0) << name;
+    }
+}
+
+// Paths through a pixel's center share their first surface and the light of all lamps on it: the mean is that
+// of paths on their own, and without area lights nothing of direct light is left to chance.
+TEST(Components, PathsThroughPixelCentersShareTheirFirstSurface) {
+    Scene scene = mixed_scene();
+    for (int i = 0; i < 6; ++i) {
+        shared::Light lamp = scene.lights[0];
+        lamp.position.x = -0.8f + 0.3f * float(i);
+        scene.lights.push_back(lamp);
+    }
+    for (bool area_lights : {true, false}) {
+        if (!area_lights) {
+            scene.environment = {};
+            for (Material& m : scene.materials) m.emission = glm::vec3(0.0f);
+        }
+        RayCaster rays(scene);
+        auto request = request_for({"direct", "diffuse1", "specular"}, scene.cameras[0], 16, 64);
+        request.settings.pixel_center = true;
+        const Estimate together = render_reference(rays, request);
+        const PathTracer tracer(rays, request);
+        Film film(16, 16, request.components);
+        for (int i = 0; i < 16 * 16; ++i)
+            for (int s = 0; s < 64; ++s) film.add(i % 16, i / 16, s, tracer.trace(i % 16, i / 16, s));
+        const Estimate alone = film.estimate(64);
+        for (const std::string& name : request.components)
+            EXPECT_LT(std::abs(welch(measure(together, name), measure(alone, name))), z_999) << name;
+        if (!area_lights) {
+            EXPECT_EQ(measure(together, "direct").error, 0.0);
+        }
     }
 }
 

@@ -8,7 +8,7 @@ namespace luxel {
 namespace {
 
 // Raise with every change that alters images.
-constexpr std::uint32_t tracer_version = 2;
+constexpr std::uint32_t tracer_version = 3;
 
 template <int N> void add(ContentKey& key, const glm::vec<N, float>& v) { key.add_bytes(&v, sizeof v); }
 

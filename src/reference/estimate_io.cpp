@@ -8,6 +8,10 @@
 namespace luxel {
 namespace {
 
+std::string group_layer(const std::string& component, int group) {
+    return fmt::format("{}.group{}", component, group);
+}
+
 constexpr const char* spp_attribute = "luxel.spp";
 
 int parse_spp(const std::string& text) {
@@ -24,8 +28,8 @@ void write_estimate(const std::filesystem::path& file, const Estimate& estimate,
     for (const auto& [name, mean] : estimate.mean) {
         layers[name] = mean;
         layers[name + ".variance"] = estimate.variance.at(name);
-        layers[name + ".even"] = estimate.half[0].at(name);
-        layers[name + ".odd"] = estimate.half[1].at(name);
+        for (int g = 0; g < sample_groups; ++g)
+            layers[group_layer(name, g)] = estimate.group[std::size_t(g)].at(name);
     }
     layers["mask"] = estimate.mask;
     std::map<std::string, std::string> attributes = metadata;
@@ -55,8 +59,7 @@ StoredEstimate read_estimate(const std::filesystem::path& file) {
         if (!exr.layers.contains(name)) continue;
         e.mean[name] = take(name);
         e.variance[name] = take(name + ".variance");
-        e.half[0][name] = take(name + ".even");
-        e.half[1][name] = take(name + ".odd");
+        for (int g = 0; g < sample_groups; ++g) e.group[std::size_t(g)][name] = take(group_layer(name, g));
     }
     if (e.mean.empty()) fail(Fault::bad_input, "{}: no estimate: it has no component", file.string());
     return stored;

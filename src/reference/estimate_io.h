@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An estimate as one EXR file of floats. Layers of component C: "C" the mean, "C.variance" of the mean,
-// "C.even" and "C.odd" the halves; "mask". The attribute "luxel.spp" holds the samples per pixel.
+// "C.group0" to "C.group3" the groups of samples; "mask". The attribute "luxel.spp" holds the samples per
+// pixel.
 #pragma once
 #include <filesystem>
 #include <map>

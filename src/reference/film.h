@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Running sums of a view: per pixel and channel the even samples, the odd samples and all squares.
+// Running sums of a view: per pixel and channel each group of samples and all squares.
 #pragma once
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ private:
     int width_, height_;
     std::vector<std::string> components_;
     std::vector<int> channels_;
-    std::size_t stride_ = 0; // doubles per pixel: 3 for each channel of each component
+    std::size_t stride_ = 0; // doubles per pixel: sums_per_channel for each channel of each component
     std::vector<double> sums_;
 };
 

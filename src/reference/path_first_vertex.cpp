@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Components with rays of their own at the first vertex: ambient occlusion and the bounce that nothing hides.
+// The first vertex: what all paths through a pixel's center share of it, and components with rays of their
+// own there, ambient occlusion and the bounce that nothing hides.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +8,26 @@
 #include "shared/sampling.h"
 
 namespace luxel {
+
+FirstVertex PathTracer::first_vertex(int x, int y) const {
+    FirstVertex first;
+    const Ray ray = camera_ray(glm::vec2(x, y) + glm::vec2(0.5f));
+    first.found = intersect(ray, first.hit);
+    if (!first.found) return first;
+    first.surface = surface_at(*scene_, first.hit, ray.direction);
+
+    // No randomness is left in the light of punctual lamps: each is asked once for all paths.
+    first.lit_by_all = lights_.punctual_count() <= exact_lights_limit;
+    const ShadingPoint point(first.surface, ray.direction);
+    if (!first.lit_by_all || !wanted_.direct || !point.has_smooth_lobes()) return first;
+    for (std::size_t i = 0; i < lights_.punctual_count(); ++i) {
+        LightSamples one;
+        add_sample(point, lights_.punctual(i, first.surface.position), one);
+        const BsdfValue lit = visible_light(point, one);
+        first.lit.diffuse += lit.diffuse, first.lit.specular += lit.specular;
+    }
+    return first;
+}
 
 void PathTracer::add_first_vertex(const ShadingPoint& point, Random& random, PathSample& result) const {
     if (wanted_.ao) result.ao = openness(point, random);
@@ -65,14 +86,12 @@ glm::vec3 PathTracer::unoccluded_bounce(const ShadingPoint& point, Random& rando
 // Light straight from its sources that the Lambertian lobe sends back along `direction`.
 glm::vec3 PathTracer::diffuse_reflection(const Surface& surface, glm::vec3 direction, Random& random) const {
     // As if it had no other lobe, so that the one direction drawn for MIS is a diffuse one.
-    Surface lambertian = surface;
-    lambertian.brdf.f0 = lambertian.brdf.f90 = glm::vec3(0.0f);
-    lambertian.transmission = 0.0f;
+    const Surface lambertian = lambertian_part(surface);
     ShadingPoint point(lambertian, direction);
     if (!point.has_smooth_lobes()) return glm::vec3(0.0f);
     std::size_t emitter = lights_.has_emitters() ? lights_.choose_emitter(random.next()) : 0;
     LightSamples samples;
-    sample_lights(point, emitter, false, random, samples);
+    sample_lights(point, emitter, later_draws, random, samples);
     glm::vec3 sum = visible_light(point, samples).diffuse;
     if (!lights_.has_emitters() && !lights_.has_environment()) return sum;
 

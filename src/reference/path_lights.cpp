@@ -7,8 +7,6 @@
 namespace luxel {
 namespace {
 
-constexpr std::size_t all_lights_limit = 4; // up to so many punctual lights, each is sampled at each vertex
-
 // [Veach1997, section 9.2.4] with exponent 2.
 float power_heuristic(float pdf, float other) {
     float a = pdf * pdf, b = other * other;
@@ -40,9 +38,8 @@ void PathTracer::add_sample(const ShadingPoint& point, const LightArrival& light
     samples.samples[samples.count++] = {light, value};
 }
 
-// A few lights are all summed. Of many, some are drawn in proportion to what they would send: more at the
-// first vertex, whose noise is seen directly.
-void PathTracer::sample_punctual(const ShadingPoint& point, bool first, Random& random,
+// A few lights are all summed. Of many, some are drawn in proportion to what they would send.
+void PathTracer::sample_punctual(const ShadingPoint& point, int draws, Random& random,
                                  LightSamples& samples) const {
     const std::size_t count = lights_.punctual_count();
     if (count <= all_lights_limit) {
@@ -53,7 +50,6 @@ void PathTracer::sample_punctual(const ShadingPoint& point, bool first, Random& 
     thread_local std::vector<float> cumulative;
     float u = random.next();
     if (!lights_.choose_among(point, cumulative)) return;
-    int draws = first ? int(all_lights_limit) : 1;
     for (int i = 0; i < draws; ++i) {
         std::size_t chosen = find_in(cumulative, (float(i) + u) / float(draws));
         float before = chosen > 0 ? cumulative[chosen - 1] : 0.0f;
@@ -65,10 +61,10 @@ void PathTracer::sample_punctual(const ShadingPoint& point, bool first, Random& 
     }
 }
 
-void PathTracer::sample_lights(const ShadingPoint& point, std::size_t emitter, bool first, Random& random,
-                               LightSamples& samples) const {
+void PathTracer::sample_lights(const ShadingPoint& point, std::size_t emitter, int punctual_draws,
+                               Random& random, LightSamples& samples) const {
     if (!point.has_smooth_lobes()) return;
-    sample_punctual(point, first, random, samples);
+    if (punctual_draws > 0) sample_punctual(point, punctual_draws, random, samples);
     if (options_.strategy == Strategy::bsdf_only) return;
     if (lights_.has_emitters())
         add_sample(point, lights_.sample_emitter(emitter, point.surface->position, random.next2()), samples);

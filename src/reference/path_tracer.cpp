@@ -92,18 +92,22 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
 }
 
 // The emitter for the surface that the ray will meet is chosen first, so that its data arrives with the hit.
-void PathTracer::send(Path& path) const {
+void PathTracer::send(Path& path, const FirstVertex* known) const {
     if (lights_.has_emitters()) path.emitter = lights_.choose_emitter(path.random.next());
-    path.found = intersect(path.ray, path.hit);
+    if (known)
+        path.hit = known->hit, path.found = known->found;
+    else
+        path.found = intersect(path.ray, path.hit);
 }
 
-Path PathTracer::start(int x, int y, int sample) const {
+Path PathTracer::start(int x, int y, int sample, const FirstVertex* first) const {
     const shared::uint pixel = shared::uint(y) * shared::uint(width_) + shared::uint(x);
     Path path{Random(pixel, shared::uint(sample), shared::uint(settings_.seed))};
     glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : path.random.next2();
     path.ray = camera_ray(glm::vec2(x, y) + jitter);
     path.from = path.ray.origin;
-    send(path);
+    path.first = first;
+    send(path, first);
     return path;
 }
 
@@ -114,15 +118,40 @@ void PathTracer::finish(Path& path) const {
     path.alive = false;
 }
 
+// Light that reaches the path's present surface straight from its sources.
+BsdfValue PathTracer::lit_by_lights(Path& path, const ShadingPoint& point) const {
+    const FirstVertex* first = path.vertex == 1 ? path.first : nullptr;
+    const bool all_known = first && first->lit_by_all;
+    LightSamples samples;
+    sample_lights(point, path.emitter,
+                  all_known          ? 0
+                  : path.vertex == 1 ? first_draws
+                                     : later_draws,
+                  path.random, samples);
+    BsdfValue lit = visible_light(point, samples);
+    if (all_known) lit.diffuse += first->lit.diffuse, lit.specular += first->lit.specular;
+    return lit;
+}
+
+// Whether nothing that was asked for depends on where the other lobes would send the path. (Emission that
+// direct light finds by their sampling does.)
+bool PathTracer::only_lambertian_matters(const Path& path) const {
+    if (wanted_.specular) return false;
+    return path.vertex > 1 || !wanted_.direct || (!lights_.has_emitters() && !lights_.has_environment());
+}
+
 void PathTracer::step(Path& path) const {
     if (!path.found) return finish(path);
     path.alive = false;
 
     // The surface may emit.
-    Surface surface = surface_at(*scene_, path.hit, path.ray.direction);
+    Surface surface = path.first && path.vertex == 0 ? path.first->surface
+                                                     : surface_at(*scene_, path.hit, path.ray.direction);
     glm::vec3 met = emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf);
     path.add(path.beta * met, path.diffuse * met, path.ideal);
     ++path.vertex;
+    const bool lambertian = only_lambertian_matters(path);
+    if (lambertian && path.vertex > 1) surface = lambertian_part(surface);
     ShadingPoint point(surface, path.ray.direction);
     if (path.vertex == 1) add_first_vertex(point, path.random, path.result);
     const bool lit_is_wanted = path.vertex <= settings_.max_bounces + 1 && is_wanted(path, false);
@@ -130,12 +159,14 @@ void PathTracer::step(Path& path) const {
 
     // It reflects light that comes straight from its sources, and light from the next surface.
     if (lit_is_wanted) {
-        LightSamples samples;
-        sample_lights(point, path.emitter, path.vertex == 1, path.random, samples);
-        BsdfValue lit = visible_light(point, samples);
+        const BsdfValue lit = lit_by_lights(path, point);
         path.add(path.beta * lit.sum(), path.diffuse * lit.diffuse, false);
     }
     path.from = surface.position;
+    if (lambertian && path.vertex == 1) {
+        surface = lambertian_part(surface);
+        point = ShadingPoint(surface, path.ray.direction);
+    }
     if (!scatter(path, point)) return;
     send(path);
     path.alive = true;
@@ -157,7 +188,7 @@ void PathTracer::follow(std::span<Path> paths) const {
 }
 
 PathSample PathTracer::trace(int x, int y, int sample) const {
-    Path path = start(x, y, sample);
+    Path path = start(x, y, sample, nullptr);
     follow({&path, 1});
     return path.result;
 }

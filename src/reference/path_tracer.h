@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,13 +45,23 @@ struct LightSamples {
         LightArrival light;
         BsdfValue reflected; // MIS weight included
     };
-    std::array<Sample, 6> samples; // at most four punctual ones, an emitter, the environment
+    std::array<Sample, 6> samples; // at most first_draws punctual ones, an emitter, the environment
     std::size_t count = 0;
+};
+
+// What all paths through the same point of the image share.
+struct FirstVertex {
+    Hit hit{};
+    bool found = false;
+    Surface surface{};
+    bool lit_by_all = false; // `lit` holds what the surface reflects of all punctual lights
+    BsdfValue lit;
 };
 
 // The state of one camera path.
 struct Path {
     Random random;
+    const FirstVertex* first = nullptr; // known beforehand
     Ray ray{};
     glm::vec3 from{0.0f}; // the surface that sent it, or the camera
     bool alive = true;
@@ -91,12 +102,14 @@ public:
 
     // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order.
     template <class Sink> void trace_samples(int x, int y, int first, int count, Sink&& sink) const {
+        std::optional<FirstVertex> shared;
+        if (settings_.pixel_center) shared = first_vertex(x, y);
         std::vector<Path> paths;
         paths.reserve(paths_side_by_side);
         for (int done = 0; done < count; done += int(paths.size())) {
             paths.clear();
             for (int i = done; i < std::min(count, done + paths_side_by_side); ++i)
-                paths.push_back(start(x, y, first + i));
+                paths.push_back(start(x, y, first + i, shared ? &*shared : nullptr));
             follow(paths);
             for (std::size_t i = 0; i < paths.size(); ++i) sink(first + done + int(i), paths[i].result);
         }
@@ -109,10 +122,11 @@ private:
     bool occluded(const ShadingPoint& point, const LightArrival& light) const;
 
     // Next-event estimation (path_lights.cpp): samples of all lights (of the emitters, one that was chosen),
-    // and what `point` reflects of those that are visible.
-    void sample_lights(const ShadingPoint& point, std::size_t emitter, bool first, Random& random,
+    // and what `point` reflects of those that are visible. Where there are many punctual lights, so many are
+    // drawn; 0: none is sampled.
+    void sample_lights(const ShadingPoint& point, std::size_t emitter, int punctual_draws, Random& random,
                        LightSamples& samples) const;
-    void sample_punctual(const ShadingPoint& point, bool first, Random& random, LightSamples& samples) const;
+    void sample_punctual(const ShadingPoint& point, int draws, Random& random, LightSamples& samples) const;
     void add_sample(const ShadingPoint& point, const LightArrival& light, LightSamples& samples) const;
     BsdfValue visible_light(const ShadingPoint& point, const LightSamples& samples) const;
     // Emission met by a ray that was drawn with density bsdf_pdf, with its MIS weight.
@@ -121,16 +135,24 @@ private:
                            float bsdf_pdf) const;
 
     static constexpr int paths_side_by_side = 16;
-    Path start(int x, int y, int sample) const; // up to the first hit
-    void follow(std::span<Path> paths) const;   // to their ends
-    void step(Path& path) const;                // past one surface
-    void send(Path& path) const;                // along its ray
+    // Up to so many punctual lights, all are asked: at every vertex, and at the first where paths share it.
+    static constexpr std::size_t all_lights_limit = 4, exact_lights_limit = 256;
+    // Of more, so many are drawn at the first vertex, whose noise is seen directly, and at each later one.
+    static constexpr int first_draws = 4, later_draws = 2;
+
+    Path start(int x, int y, int sample, const FirstVertex* first) const; // up to the first hit
+    void follow(std::span<Path> paths) const;                             // to their ends
+    void step(Path& path) const;                                          // past one surface
+    void send(Path& path, const FirstVertex* known = nullptr) const;      // along its ray
     void finish(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;
+    BsdfValue lit_by_lights(Path& path, const ShadingPoint& point) const;
+    bool only_lambertian_matters(const Path& path) const;
     bool is_wanted(const Path& path, bool by_ideal_lobe) const;
     bool more_is_wanted(const Path& path) const;
 
-    // Components with rays of their own at the first vertex (path_first_vertex.cpp).
+    // path_first_vertex.cpp
+    FirstVertex first_vertex(int x, int y) const; // through the pixel's center
     void add_first_vertex(const ShadingPoint& point, Random& random, PathSample& result) const;
     float openness(const ShadingPoint& point, Random& random) const;
     glm::vec3 unoccluded_bounce(const ShadingPoint& point, Random& random) const;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The random numbers of one sample of one pixel: the n-th is a pure function of (pixel, sample, seed, n).
 // Over the samples of a pixel the n-th pair is a (0, 2)-sequence with its own Owen scrambling and order
-// [Burley2020], so that a pixel's samples cover each integral evenly. Even and odd samples are two
-// independent sequences: their means tell the noise.
+// [Burley2020], so that a pixel's samples cover each integral evenly. Samples that are equal modulo
+// sample_groups share a sequence; the sequences are independent, so their means tell the noise.
 #pragma once
 #include "shared/random.h"
 
 namespace luxel {
 
+inline constexpr int sample_groups = 4;
+
 class Random {
 public:
     Random(shared::uint pixel, shared::uint sample, shared::uint seed)
-        : key_(shared::hash3(pixel, sample & 1u, seed)), reversed_index_(reversed(sample >> 1u)) {}
+        : key_(shared::hash3(pixel, sample % shared::uint(sample_groups), seed)),
+          reversed_index_(reversed(sample / shared::uint(sample_groups))) {}
 
     // [0, 1)
     float next() {

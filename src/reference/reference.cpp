@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int tile_side = 16;
-constexpr int pass_samples = 16;          // the error target is looked at so often: independent of the clock
+constexpr int pass_samples = 32;          // the error target is looked at so often: independent of the clock
 constexpr double checkpoint_seconds = 30; // at most so much work is lost
 
 double seconds_since(Clock::time_point start) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The truth: unidirectional path tracing with next-event estimation and MIS, as components of light paths.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "core/image.h"
 #include "core/parameters.h"
+#include "reference/random.h"
 #include "scene/raycast.h"
 
 namespace luxel {
@@ -29,8 +31,8 @@ inline const std::vector<std::string> component_names = {
     "direct", "diffuse1", "diffuse1_unoccluded", "diffuse", "specular", "full", "ao"};
 
 // How far an occluder at distance d < R leaves its direction open: 0, sqrt(d/R), (d/R)^3. tangent: the open
-// share of the sphere of radius R/2 that touches the surface, whose chord is R cos: (d/(R cos))^3 with cos^3 as
-// weight of directions [Umenhoffer2009, eq. 4.6]. exponential: 1 - exp(-d/R), without an end.
+// share of the sphere of radius R/2 that touches the surface, whose chord is R cos: (d/(R cos))^3 with cos^3
+// as weight of directions [Umenhoffer2009, eq. 4.6]. exponential: 1 - exp(-d/R), without an end.
 enum class Membership { step, sqrt, cubic, tangent, exponential };
 inline const std::vector<std::string> membership_names = {"step", "sqrt", "cubic", "tangent", "exponential"};
 
@@ -47,14 +49,16 @@ struct ReferenceSettings {
     void visit(Visitor& v);
 };
 
-// A running estimate of one view. Sums are kept in two halves (even and odd samples).
+// A running estimate of one view.
 struct Estimate {
     int width = 0, height = 0, spp = 0; // samples per pixel so far
     Layers mean;                        // by component
     Layers variance;                    // of the mean, per pixel and channel
-    Layers half[2];                     // means of the even and of the odd samples: the noise made visible
-    Image mask;                         // 1 where the pixel's center sees a surface
-    std::vector<std::string> warnings;  // one sentence each
+    // Means of the samples s with the same s % sample_groups, independent of each other: the noise made
+    // visible.
+    std::array<Layers, sample_groups> group;
+    Image mask;                        // 1 where the pixel's center sees a surface
+    std::vector<std::string> warnings; // one sentence each
 };
 
 // Mean over the pixels that are not black of standard error over mean, in luminance, of `full`, or of the
