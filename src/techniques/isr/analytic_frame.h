@@ -27,8 +27,21 @@ inline shared::ViewParams view_from(float x, int width, int height) {
                        1000.0f, {float(width), float(height)});
 }
 
+// One triangle whose bounds no view misses.
+inline Scene everywhere() {
+    Scene s;
+    s.materials.emplace_back();
+    s.meshes.push_back({.positions = {glm::vec3(-1e3f), glm::vec3(1e3f), glm::vec3(1e3f, 0, -1e3f)},
+                        .normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}},
+                        .indices = {0, 1, 2}});
+    s.instances.emplace_back();
+    return s;
+}
+
 struct AnalyticFrame {
     gpu::Gpu gpu{{.validation = true}};
+    Scene bounds = everywhere();
+    GpuScene on_gpu{gpu, bounds, false};
     AnalyticScene scene;
     AnalyticScene hidden = [](glm::vec3, glm::vec3) { return Analytic{}; }; // what captures peel out
     Frame frame;
@@ -55,7 +68,8 @@ struct AnalyticFrame {
                 diffuse.set_rgb(x, y, a.albedo);
                 direct.set_rgb(x, y, a.radiance);
             }
-        Capture c{.width = std::uint32_t(width), .height = std::uint32_t(height), .view = v};
+        Capture c{
+            .width = std::uint32_t(width), .height = std::uint32_t(height), .view = v, .scene = &on_gpu};
         c.gbuffer.depth = gpu.upload_image(depth, "depth");
         c.gbuffer.normal = c.gbuffer.geometric_normal = gpu.upload_image(normal, "normal");
         c.gbuffer.diffuse = gpu.upload_image(diffuse, "diffuse");

@@ -170,7 +170,8 @@ IsrPatches isr_patches(Recorder& recorder, const Frame& frame, const IsrOptions&
     add_visible(recorder, frame, p, all);
     if (options.layers > 1) all.hidden = find_hidden(recorder, frame, p, options.separation, all.visible);
     for (const ViewParams& camera : isr_cameras(frame.view, options.cameras, int(p.height)))
-        all.cameras.push_back(find_unseen(recorder, frame, p, camera, all.visible));
+        if (touches(frustum_of(camera.world_to_clip), frame.scene->bounds()))
+            all.cameras.push_back(find_unseen(recorder, frame, p, camera, all.visible));
     return all;
 }
 
