@@ -225,5 +225,16 @@ TEST(CommandLine, DrawnViewsServeAsCameras) {
     EXPECT_EQ(run_luxel(look).code, 2);
 }
 
+TEST(CommandLine, RenderWritesImagesThatAreSmallerThanTheFrame) {
+    const TemporaryFolder out;
+    for (const char* name : {"patches.png", "patches.exr"}) {
+        const std::string file = (out.path() / name).string();
+        const ProcessResult result = run_luxel({"render", "builtin:shapes-point", "--size", "32x24", "--use",
+                                                "isr", "--image", "isr patches", "-o", file});
+        ASSERT_EQ(result.code, 0) << result.error;
+        EXPECT_GT(slurp(file).size(), 100u);
+    }
+}
+
 } // namespace
 } // namespace luxel::testing

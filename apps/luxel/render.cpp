@@ -46,7 +46,10 @@ void run(const Options& o, const Global& global) {
     gpu::DeviceInfo device;
     const RenderResult result = render(scene, o, frame, row, device);
     const Image& picture = o.image.empty() ? result.radiance : result.images.at(o.image);
-    write_picture(o.output, {{"", picture}, {"mask", result.mask}}, picture, result.mask, o.exposure,
+    // Images of another size than the frame's have no mask.
+    const bool masked = picture.width == result.mask.width && picture.height == result.mask.height;
+    const Image mask = masked ? result.mask : Image(picture.width, picture.height, 1, 1.0f);
+    write_picture(o.output, {{"", picture}, {"mask", mask}}, picture, mask, o.exposure,
                   {{"luxel.version", LUXEL_VERSION}, {"luxel.scene", o.scene}, {"luxel.use", row.label}});
 
     const FrameTime time = median_time({result.passes});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// G-buffer and direct light to coarse patches. `calibrated` keeps one representative surface per coarse pixel;
-// `thesis` averages all buffers over the block [Rohleder2010, 4.2]. RECEIVERS: they receive light as well.
+// G-buffer and direct light to coarse patches. `calibrated` keeps one representative surface per coarse
+// pixel; `thesis` averages the buffers of the block [Rohleder2010, 4.2]. RECEIVERS: they receive light, too.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/isr/isr_params.h"
@@ -19,8 +19,8 @@ layout(binding = 8, rgba32f) uniform writeonly image2D receiver; // shading norm
 layout(binding = 9, rgba32f) uniform writeonly image2D albedo;   // diffuse albedo
 #endif
 
-void store(ivec2 coarse, vec4 patch_, vec4 sent) {
-    imageStore(patches, coarse + p.origin, patch_);
+void store(ivec2 coarse, vec4 area_and_depth, vec4 sent) {
+    imageStore(patches, coarse + p.origin, area_and_depth);
     imageStore(source, coarse + p.origin, sent);
 }
 

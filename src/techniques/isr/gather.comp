@@ -9,7 +9,8 @@ vec4 estimate(ivec2 coarse, vec3 x_p, vec3 n_p, float z_p) {
     // Each pixel turns the table and scales its radii (weights go with the square).
     IsrJitter jitter = isr_jitter(vec2(coarse));
     float angle = 2.0 * PI * fract(jitter.turn + p.turn);
-    float stretch = exp(log(p.radius / p.inner_radius) / float(p.taps) * (fract(jitter.shift + p.shift) - 0.5));
+    float shift = fract(jitter.shift + p.shift);
+    float stretch = exp(log(p.radius / p.inner_radius) / float(p.taps) * (shift - 0.5));
     mat2 rotate = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * stretch;
     vec3 e = vec3(0);
     float blocked = 0.0;

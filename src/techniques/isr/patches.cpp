@@ -144,6 +144,7 @@ IsrSenders find_unseen(Recorder& recorder, const Frame& frame, const IsrParams& 
     Capture capture = frame.capture(recorder, {.view = camera, .prefix = "isr camera "});
     gpu::Image unseen = recorder.image(
         {.width = capture.width, .height = capture.height, .format = VK_FORMAT_R32_SFLOAT}, "isr unseen");
+    // A fiftieth of the depth: patches are as thick as their slant within a coarse pixel.
     shared::IsrUnseenParams u{.view = p.view,
                               .camera = camera,
                               .origin = p.origin,

@@ -35,8 +35,8 @@ IsrPatches isr_patches(gpu::Recorder& recorder, const Frame& frame, const IsrOpt
 // its pixels lie a quarter of a coarse pixel beside the frame's.
 shared::ViewParams isr_wide_view(const shared::IsrParams& params);
 
-// Additional cameras: square views of 90 degrees from the eye, in this order back, left, right, up, down:
-// with the frame they see all around. None sees what another does.
+// Additional cameras: square views of 90 degrees from the eye, in this order back, left, right, up, down.
+// With a front of 90 degrees, which frame and border cover, they see all around; none sees what another does.
 std::vector<shared::ViewParams> isr_cameras(const shared::ViewParams& view, int count, int size);
 
 } // namespace luxel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes out of an additional camera's depth what the frame's patches show already, so that no surface sends twice.
+// Takes out of an additional camera's depth what the frame's patches show already, so that no surface sends
+// twice.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
