@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/common/occlusion.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 namespace luxel {
 
 using gpu::Recorder;
@@ -28,7 +30,9 @@ shared::OcclusionParams make_params(const OcclusionOptions& options, const Frame
     const shared::ViewParams& v = frame.view;
     const int step = step_of(options);
     shared::OcclusionParams p{};
-    p.right = glm::normalize(v.right), p.up = glm::normalize(v.up), p.forward = v.forward;
+    glm::quat rotation =
+        glm::quat_cast(glm::transpose(glm::mat3(glm::normalize(v.right), glm::normalize(v.up), -v.forward)));
+    p.world_to_camera = {rotation.x, rotation.y, rotation.z, rotation.w};
     p.radius = options.radius;
     p.thickness = options.thickness * options.radius;
     p.samples = options.samples;

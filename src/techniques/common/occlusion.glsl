@@ -15,6 +15,13 @@ struct Receiver {
     int pattern; // place in the 4x4 pattern
 };
 
+// v' = v + 2 w (u x v) + 2 u x (u x v) for the unit quaternion (u, w); the view direction becomes +z.
+vec3 to_camera(OcclusionParams o, vec3 v) {
+    vec3 t = 2.0 * cross(o.world_to_camera.xyz, v);
+    vec3 turned = v + o.world_to_camera.w * t + cross(o.world_to_camera.xyz, t);
+    return vec3(turned.xy, -turned.z);
+}
+
 vec3 occlusion_ray(OcclusionParams o, ivec2 pixel) { return vec3(vec2(pixel) * o.ray_scale + o.ray_offset, 1.0); }
 
 Receiver occlusion_receiver(OcclusionParams o, ivec2 pixel) {
@@ -23,7 +30,7 @@ Receiver occlusion_receiver(OcclusionParams o, ivec2 pixel) {
     vec3 n = texelFetch(normal, pixel, 0).xyz;
     x.there = z > 0.0;
     x.position = occlusion_ray(o, pixel) * z;
-    x.normal = normalize(vec3(dot(o.right, n), dot(o.up, n), dot(o.forward, n)));
+    x.normal = to_camera(o, n);
     x.pattern = o.interleaved != 0u ? pattern_index(pixel) : 0;
     return x;
 }
@@ -34,10 +41,8 @@ float occluder_depth(ivec2 pixel) {
     return z > 0.0 ? z : 1e30;
 }
 
-// What lies outside of the image is not known: such taps are left out, as if it were like the rest.
-bool occlusion_inside(OcclusionParams o, ivec2 pixel) {
-    return uint(pixel.x) < uint(o.size.x) && uint(pixel.y) < uint(o.size.y);
-}
+// Beyond the border the image is taken to go on as it ends: such taps move to the border.
+ivec2 occlusion_pixel(OcclusionParams o, vec2 at) { return clamp(ivec2(floor(at)), ivec2(0), o.size - 1); }
 
 void write_accessibility(Receiver x, ivec2 pixel, float open) {
     imageStore(accessibility, pixel, vec4(x.there ? open : 1.0, x.there ? 1.0 / x.position.z : 0.0, 0, 0));

@@ -11,11 +11,9 @@ LUXEL_CONST int OCCLUSION_MAX_SAMPLES = 64;
 // `step`: pixel q of them holds what pixel q * step of the frame holds, nothing is averaged. Camera space: x
 // right, y up, z = linear depth, meters. Pixel q sees along (q * ray_scale + ray_offset, 1).
 struct OcclusionParams {
-    vec3 right;      // unit
-    float radius;    // R, meters
-    vec3 up;         // unit
-    float thickness; // meters along the ray that a visible surface is taken to be solid behind its front
-    vec3 forward;    // unit
+    vec4 world_to_camera; // quaternion of the rotation to x right, y up, -z forward
+    float radius;         // R, meters
+    float thickness;      // meters along the ray that a visible surface is taken to be solid behind its front
     int samples;
     vec2 ray_scale;
     vec2 ray_offset;

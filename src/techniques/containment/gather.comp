@@ -39,11 +39,10 @@ void main() {
     plane += exp2(-10.0) * (o.radius + footprint);
 
     float thickness = o.thickness * x.position.z / distance;
-    float open = 0.0, known = 0.0;
+    float open = 0.0;
     for (int i = 0; i < o.samples; ++i) {
         vec3 h = base + frame * tap[i].xyz;
-        ivec2 q = ivec2(floor(h.xy / h.z + 0.5));
-        if (h.z <= 0.0 || !occlusion_inside(o, q)) continue;
+        ivec2 q = occlusion_pixel(o, h.xy / h.z + 0.5);
         float z = occluder_depth(q);
 
         // The depth is that of the pixel's center, not of the point's own ray. The point slides to that ray at its height
@@ -52,7 +51,6 @@ void main() {
         float above = z * facing - plane - tap[i].z * o.radius;
         bool hidden = (facing < 0.0 ? above > 0.0 : z < h.z) && h.z < z + thickness;
         open += hidden ? 0.0 : 1.0;
-        known += 1.0;
     }
-    write_accessibility(x, pixel, known > 0.0 ? open / known : 1.0);
+    write_accessibility(x, pixel, open / float(o.samples));
 }

@@ -27,15 +27,13 @@ void main() {
     mat3 frame = mat3(to_pixel(o, mirror[0]), to_pixel(o, mirror[1]), to_pixel(o, mirror[2]));
 
     float thickness = o.thickness * x.position.z * inversesqrt(dot(x.position, x.position));
-    float open = 0.0, known = 0.0;
+    float open = 0.0;
     for (int i = 0; i < o.samples; ++i) {
         vec3 h = base + frame * tap[i].xyz;
-        ivec2 q = ivec2(floor(h.xy / h.z + 0.5));
-        if (h.z <= 0.0 || !occlusion_inside(o, q)) continue;
+        ivec2 q = occlusion_pixel(o, h.xy / h.z + 0.5);
         float z = occluder_depth(q);
         bool hidden = z < h.z && h.z < z + thickness;
         open += hidden ? 0.0 : 1.0;
-        known += 1.0;
     }
-    write_accessibility(x, pixel, known > 0.0 ? open / known : 1.0);
+    write_accessibility(x, pixel, open / float(o.samples));
 }

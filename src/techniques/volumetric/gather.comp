@@ -39,10 +39,9 @@ void main() {
     vec2 c_plane = c.xy / c.z;
     float r2 = r * r, c2 = c.z * c.z;
     float thickness = o.thickness * x.position.z * inversesqrt(dot(x.position, x.position));
-    float open = 0.0, volume = 0.0, known = 0.0;
+    float open = 0.0, volume = 0.0;
     for (int i = 0; i < o.samples; ++i) {
-        ivec2 q = ivec2(floor(center + to_pixel * tap[i].xy));
-        if (!occlusion_inside(o, q)) continue;
+        ivec2 q = occlusion_pixel(o, center + to_pixel * tap[i].xy);
         float z = occluder_depth(q) * (1.0 + exp2(-19.0)); // some 30 roundings: a plane must not hide itself
 
         // Entry and exit of the ray (d, 1): middle -+ half, from |t (d, 1) - c| = r, written with the difference to the
@@ -61,12 +60,11 @@ void main() {
         float whole = 2.0 * chord * (3.0 * middle * middle + chord * chord);
         open += whole - (to - from) * (to * to + to * from + from * from);
         volume += whole;
-        known += 1.0;
     }
 
     // The thesis's constant is the sphere's volume over the area that a tap stands for; here the area is pi times the
-    // half axes of the outline, and taps outside of the image do not count.
+    // half axes of the outline.
     float axes = r * r / a * sqrt(1.0 + s);
-    if (p.analytic != 0u) volume = 4.0 * r * r2 * known / axes;
+    if (p.analytic != 0u) volume = 4.0 * r * r2 * float(o.samples) / axes;
     write_accessibility(x, pixel, volume > 0.0 ? open / volume : 1.0);
 }
