@@ -56,6 +56,14 @@ double tangent_ball(double a) {
 // Half of the ball (the floor) less the cap that the wall cuts off, which the floor halves too.
 double ball_wall(double a) { return 0.5 * (1.0 - 0.25 * (1.0 - a) * (1.0 - a) * (2.0 + a)); }
 
+// Solid angle instead of projected solid angle, and a falloff of 1 - d^2, which leaves d^2 open.
+double hbao_wall(double a) {
+    return before_wall(a, [](double d, double cosine) { return std::pow(std::min(d, 1.0), 2.0) / cosine; });
+}
+double hbao_step_wall(double a) {
+    return before_wall(a, [](double d, double cosine) { return d < 1.0 ? 0.0 : 1.0 / cosine; });
+}
+
 // Infinitely thick surfaces: the wall hides its back.
 const Estimator estimators[] = {
     {"ssao:thickness=1000", ball_wall, 0.5},
@@ -66,6 +74,9 @@ const Estimator estimators[] = {
     {"containment:thickness=1000,membership=exponential", exponential_wall},
     {"volumetric:thickness=1000", tangent_wall},
     {"volumetric:thickness=1000,normalization=analytic", tangent_wall, 1.0, true},
+    {"hbao:thickness=1000,falloff=quadratic", hbao_wall},
+    {"hbao:thickness=1000", hbao_step_wall},
+    {"gtao:thickness=1000", step_wall},
 };
 
 // N = 16 n samples (n in 16 turns), each of them in [0, 1]: their variance is at most that of a coin of the

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Ground-truth ambient occlusion [Jimenez2016]: cosine-weighted openness between horizons.
+#pragma once
+#include "techniques/common/occlusion.h"
+#include "techniques/gtao/gtao_params.h"
+#include "techniques/technique.h"
+
+namespace luxel {
+
+class Gtao final : public Technique {
+public:
+    Slot slot() const override { return Slot::occlusion; }
+    void visit(Visitor& v) override;
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
+
+private:
+    // No thickness: measured best against ray casting.
+    OcclusionOptions options_{.samples = 16, .thickness = 1000.0f};
+    int slices_ = 1;
+    bool bent_normals_ = false;
+};
+
+} // namespace luxel
