@@ -184,7 +184,7 @@ TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
 TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_EQ(run_luxel({"--version"}).out, "luxel " LUXEL_VERSION "\n");
     for (const char* name :
-         {"evaluate", "render", "reference", "diff", "techniques", "info", "views", "devices"}) {
+         {"evaluate", "render", "reference", "diff", "techniques", "info", "views", "export", "devices"}) {
         const ProcessResult result = run_luxel({name, "--help"});
         EXPECT_EQ(result.code, 0);
         EXPECT_NE(result.out.find("Example"), std::string::npos) << name;

@@ -22,6 +22,8 @@ void add_diff(CLI::App& app, const Global& global);
 void add_techniques(CLI::App& app, const Global& global);
 void add_info(CLI::App& app, const Global& global);
 void add_views(CLI::App& app, const Global& global);
+void add_export(CLI::App& app, const Global& global);
+void add_reproduce(CLI::App& app, const Global& global);
 void add_devices(CLI::App& app, const Global& global);
 
 } // namespace luxel::app

@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
 
     using namespace luxel::app;
     for (auto add : {add_evaluate, add_render, add_reference, add_diff, add_techniques, add_info, add_views,
-                     add_devices})
+                     add_export, add_reproduce, add_devices})
         add(app, global);
     require_known_subcommand(app, argc, argv);
     try {

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// luxel reproduce: a thesis's claims beside measurements.
+#include <cstdio>
+
+#include "core/error.h"
+#include "experiments/output_folder.h"
+#include "experiments/reference_cache.h"
+#include "experiments/reproduce.h"
+#include "options.h"
+
+namespace luxel::app {
+
+namespace {
+
+struct Options {
+    std::string thesis, size = "192x144", cache;
+    int chapter = 0;
+    bool no_cache = false;
+    ReproduceSettings settings;
+};
+
+using Reproduce = Reproduction (*)(const ReproduceSettings&);
+
+// What there is, by thesis and chapter.
+Reproduce find(const Options& o) {
+    if (o.thesis == "rohleder-2010" && (o.chapter == 0 || o.chapter == 5)) return reproduce_rohleder_2010;
+    if (o.thesis == "umenhoffer-2009" && (o.chapter == 0 || o.chapter == 4))
+        return reproduce_umenhoffer_2009_occlusion;
+    fail(Fault::usage,
+         "reproduce: nothing of {} chapter {}; known are rohleder-2010 --chapter 5 and "
+         "umenhoffer-2009 --chapter 4",
+         o.thesis, o.chapter);
+}
+
+void run(const Options& o, const Global& global) {
+    const Reproduce reproduce = find(o);
+    ReproduceSettings settings = o.settings;
+    const Size size = parse_size(o.size);
+    settings.evaluation.width = size.width, settings.evaluation.height = size.height;
+    settings.evaluation.views.seed = std::uint32_t(settings.evaluation.seed);
+    settings.evaluation.quiet = global.quiet;
+    settings.strict = global.strict;
+    if (!o.no_cache)
+        settings.evaluation.cache = o.cache.empty() ? default_cache_folder() : std::filesystem::path(o.cache);
+    const Reproduction result = reproduce(settings);
+    print_warnings(result.warnings);
+
+    if (!global.json) {
+        fmt::print("{}", format_reproduction(result));
+        return;
+    }
+    nlohmann::ordered_json json = {{"thesis", o.thesis},
+                                   {"source", result.source},
+                                   {"statements", nlohmann::ordered_json::array()},
+                                   {"remarks", result.remarks}};
+    for (const Statement& s : result.statements)
+        json["statements"].push_back(
+            {{"subject", s.subject}, {"claim", s.claim}, {"measured", s.measured}, {"holds", s.holds}});
+    print_json(json);
+}
+
+} // namespace
+
+void add_reproduce(CLI::App& app, const Global& global) {
+    auto o = std::make_shared<Options>();
+    EvaluationSettings& e = o->settings.evaluation;
+    CLI::App* command = app.add_subcommand("reproduce", "Print a thesis's claims beside measurements");
+    command->add_option("thesis", o->thesis, "rohleder-2010 or umenhoffer-2009")->required();
+    command->add_option("--chapter", o->chapter, "Where the thesis has several experiments")
+        ->check(CLI::Range(1, 99));
+    command->add_option("--scene", o->settings.scenes, "Instead of built-in scenes; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--views-per-scene", o->settings.views_per_scene, "Drawn by seed")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--spp", e.spp, "Samples a pixel of the truth")
+        ->check(CLI::Range(2, 1 << 20))
+        ->capture_default_str();
+    command->add_option("--seed", e.seed, "Of drawn views and of the truth")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command->add_option("--device", e.device, "GPU by number or part of its name; see luxel devices");
+    command->add_option("--cache", o->cache,
+                        "Folder of stored truths; default: $XDG_CACHE_HOME/luxel or ~/.cache/luxel");
+    command->add_flag("--no-cache", o->no_cache, "Neither read nor store truths");
+    command->footer("Truths are stored, so that a run that was cut off goes on where it was.\n"
+                    "Example: luxel reproduce rohleder-2010\n"
+                    "         luxel reproduce umenhoffer-2009 --chapter 4 --views-per-scene 4 --json");
+    command->callback([o, &global] { run(*o, global); });
+}
+
+} // namespace luxel::app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Export, render, read back.
+#include "experiments/povray_judge.h"
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "core/image_io.h"
+#include "core/process.h"
+
+namespace luxel {
+
+namespace {
+
+// Removed with all that is in it.
+class WorkFolder {
+public:
+    WorkFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "luxel-povray-XXXXXX").string();
+        if (!mkdtemp(pattern.data())) fail(Fault::io, "{}: cannot make this folder", pattern);
+        path_ = pattern;
+    }
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+    ~WorkFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+} // namespace
+
+bool povray_installed() { return is_installed("povray"); }
+
+Image povray_radiance(const Scene& scene, const Camera& camera, int width, int height,
+                      const PovraySettings& settings, std::chrono::seconds limit) {
+    if (!povray_installed())
+        fail(Fault::unsupported, "povray: not installed; the judge needs POV-Ray 3.7 with OpenEXR");
+    const WorkFolder folder;
+    write_povray(folder.path() / "scene.pov", scene, camera, width, height, settings);
+
+    // No anti-aliasing: a ray through each pixel's center, as the frame samples. FE: linear OpenEXR.
+    run_process({"povray",
+                 {"+Iscene.pov", "+Opicture.exr", "+FE", fmt::format("+W{}", width),
+                  fmt::format("+H{}", height), "-A", "-D", "-P", "-V"},
+                 folder.path(),
+                 limit});
+    Image picture = read_image(folder.path() / "picture.exr");
+    if (picture.width != width || picture.height != height)
+        fail(Fault::bad_input, "povray: {}x{} pixels instead of {}x{}", picture.width, picture.height, width,
+             height);
+    return picture;
+}
+
+} // namespace luxel

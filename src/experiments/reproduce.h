@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The statements of a thesis beside what is measured here.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "experiments/evaluation.h"
+
+namespace luxel {
+
+struct Statement {
+    std::string subject, claim, measured;
+    bool holds = false; // of the direction that is claimed, not of the number
+};
+
+struct Reproduction {
+    std::string source; // what was run
+    std::vector<Statement> statements;
+    std::vector<std::string> remarks; // what differs from the thesis's setting
+    std::vector<std::string> warnings;
+};
+
+struct ReproduceSettings {
+    std::vector<std::string> scenes; // empty: built-in ones
+    int views_per_scene = 2;
+    EvaluationSettings evaluation; // size, samples, seed, cache, device; the rest is set here
+    bool strict = false;
+};
+
+// Image-space radiosity against direct light, in mode calibrated and in mode thesis [Rohleder2010, ch. 5].
+Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings);
+
+// Ambient occlusion in screen space against ray-traced occlusion [Umenhoffer2009, ch. 4].
+Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settings);
+
+std::string format_reproduction(const Reproduction& reproduction);
+
+} // namespace luxel

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The file as a whole: settings, camera, lights, sky, materials, meshes, objects.
+#include "scene/povray/povray.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/file.h"
+#include "scene/povray/text.h"
+#include "scene/printable.h"
+
+namespace luxel {
+namespace povray {
+namespace {
+
+// The thesis's settings, but one bounce, which in 3.7 is recursion_limit 1, and brightness 1: its 2.4 made up
+// for pictures that were not linear. gray_threshold 0 keeps the bounced color [Rohleder2010, ch. 5].
+constexpr const char* radiosity = R"(  radiosity {
+    pretrace_start 0.08
+    pretrace_end 0.01
+    count 250
+    error_bound 0.25
+    recursion_limit 1
+    brightness 1
+    gray_threshold 0
+  }
+)";
+
+void add_settings(Export& out) {
+    out.add("#version 3.7;\nglobal_settings {{\n  assumed_gamma 1.0\n  max_trace_level 20\n{}}}\n"
+            "#default {{ finish {{ ambient 0 emission 0 diffuse 1 }} }}\n\n",
+            out.settings.radiosity ? radiosity : "");
+}
+
+// Explicit vectors: POV-Ray's own up and right would mirror a right-handed scene.
+void add_camera(Export& out, const Camera& camera, int width, int height) {
+    const CameraBasis b = camera_basis(camera, width, height);
+    out.add("// {}, {} x {} pixels\ncamera {{\n  perspective\n  location {}\n  direction {}\n  right {}\n"
+            "  up {}\n}}\n\n",
+            ascii(camera.name), width, height, vector(b.position), vector(b.forward), vector(b.right * 2.0f),
+            vector(b.up * 2.0f));
+}
+
+bool emits(const Material& material) { return material.emission != glm::vec3(0.0f); }
+
+void add_objects(Export& out) {
+    const Scene& scene = out.scene;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        const Material& material = scene.materials[std::size_t(mesh.material)];
+        const glm::mat4& m = instance.transform;
+        out.add("// {}\nobject {{ M{}", ascii(instance.name), instance.mesh);
+        if (mesh.colors.empty()) out.add(" texture {{ T{} }}", mesh.material);
+        out.add("{} matrix <", interior_of(out, material));
+        for (int column = 0; column < 4; ++column)
+            out.add("{}{:.7g},{:.7g},{:.7g}", column ? "," : "", m[column].x, m[column].y, m[column].z);
+
+        // The samples of an emitter light the scene already: bounce rays must not find it again.
+        out.add(">{} }}\n", emits(material) ? " no_radiosity" : "");
+    }
+}
+
+std::string file_stem(const std::filesystem::path& file) {
+    std::string stem = file.stem().string().substr(0, 80);
+    for (char& c : stem)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
+    return stem;
+}
+
+} // namespace
+
+void Export::note(const std::string& sentence) {
+    if (std::find(approximated.begin(), approximated.end(), sentence) == approximated.end())
+        approximated.push_back(sentence);
+}
+
+} // namespace povray
+
+std::vector<std::string> write_povray(const std::filesystem::path& file, const Scene& scene,
+                                      const Camera& camera, int width, int height,
+                                      const PovraySettings& settings) {
+    povray::Export out{scene, settings, file.parent_path(), povray::file_stem(file), "", {}};
+    povray::add_settings(out);
+    povray::add_camera(out, camera, width, height);
+    povray::add_lights(out);
+    if (!scene.environment.empty()) povray::add_sky(out);
+
+    // Only what is drawn: a file may hold more than its scene shows.
+    std::vector<bool> mesh_used(scene.meshes.size()), material_used(scene.materials.size());
+    for (const Instance& instance : scene.instances) {
+        mesh_used[std::size_t(instance.mesh)] = true;
+        material_used[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)] = true;
+    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (material_used[i]) povray::declare_material(out, i);
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        if (mesh_used[i]) povray::declare_mesh(out, i);
+    povray::add_objects(out);
+
+    std::string head = "// " + ascii(scene.name) + ", exported by luxel; render with: povray +I" + out.stem +
+                       fmt::format(".pov +W{} +H{} -A +FE\n", width, height);
+    for (const std::string& sentence : out.approximated) head += "// approximated: " + sentence + "\n";
+    write_file(file, head + out.text);
+    return out.approximated;
+}
+
+} // namespace luxel
