@@ -2,6 +2,7 @@
 // posix_spawn, and a descriptor of the process to wait on with a limit.
 #include "core/process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -11,7 +12,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,7 +50,7 @@ pid_t spawn(const Process& process) {
 
 // Whether the process ended within the limit.
 bool ends(pid_t pid, std::chrono::seconds limit) {
-    const Descriptor process(pidfd_open(pid, 0));
+    const Descriptor process(int(syscall(SYS_pidfd_open, pid, 0)));
     if (process.value < 0) return true; // waited for without a limit
     const auto deadline = std::chrono::steady_clock::now() + limit;
     while (true) {
