@@ -183,8 +183,8 @@ TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
 
 TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_EQ(run_luxel({"--version"}).out, "luxel " LUXEL_VERSION "\n");
-    for (const char* name :
-         {"evaluate", "render", "reference", "diff", "techniques", "info", "views", "export", "devices"}) {
+    for (const char* name : {"evaluate", "render", "reference", "diff", "techniques", "info", "views",
+                             "export", "reproduce", "devices"}) {
         const ProcessResult result = run_luxel({name, "--help"});
         EXPECT_EQ(result.code, 0);
         EXPECT_NE(result.out.find("Example"), std::string::npos) << name;
