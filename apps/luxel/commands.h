@@ -16,6 +16,7 @@ struct Global {
 };
 
 void add_evaluate(CLI::App& app, const Global& global);
+void add_experiment(CLI::App& app, const Global& global);
 void add_render(CLI::App& app, const Global& global);
 void add_reference(CLI::App& app, const Global& global);
 void add_diff(CLI::App& app, const Global& global);

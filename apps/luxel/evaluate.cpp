@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "experiments/components.h"
-#include "experiments/evaluation.h"
+#include "experiments/experiment_run.h"
 #include "experiments/output_folder.h"
 #include "experiments/result_files.h"
 #include "experiments/results_json.h"
@@ -17,53 +17,72 @@ namespace luxel::app {
 
 namespace {
 
+constexpr int page_width = 1280; // pixels; one scene's pictures may be large
+
 struct Options {
-    EvaluationSettings settings;
+    std::string scene;
+    ViewGroup views;
+    TruthSettings truth;
     std::vector<std::string> use;
     std::string component = "direct+diffuse1", size = "640x480", frame, reference_lights = "same", output,
-                cache, ao_radius, ao_membership;
-    bool no_cache = false, verbose = false;
+                device, ao_radius, ao_membership;
+    CacheChoice cache;
+    int timed_frames = 5;
+    bool verbose = false;
 };
 
 // --ao-radius and --ao-membership are parameters of the reference, with its ranges and names.
-void set_ao(EvaluationSettings& settings, const Options& o) {
+void set_ao(TruthSettings& truth, const Options& o) {
     std::vector<std::pair<std::string, std::string>> values;
     if (!o.ao_radius.empty()) values.emplace_back("ao_radius", o.ao_radius);
     if (!o.ao_membership.empty()) values.emplace_back("ao_membership", o.ao_membership);
-    if (!values.empty() && !is_accessibility(settings.components))
+    if (!values.empty() && !is_accessibility(truth.components))
         fail(Fault::usage, "--ao-radius, --ao-membership: only --component ao has them");
     ReferenceSettings reference;
     set_parameters(reference, "--component ao", values);
-    settings.ao_radius = reference.ao_radius;
-    settings.ao_membership = reference.ao_membership;
+    truth.ao_radius = reference.ao_radius;
+    truth.ao_membership = reference.ao_membership;
 }
 
-EvaluationSettings settings_of(const Options& o, const Global& global) {
-    EvaluationSettings s = o.settings;
+// An experiment with one scene.
+Experiment experiment_of(const Options& o, const Global& global) {
+    Experiment e;
+    e.name = o.scene;
+    e.uses = o.use;
+    e.timed_frames = o.timed_frames;
+    e.pictures = PictureMode::files;
+    e.picture_width = page_width;
+    e.truth = o.truth;
+    e.truth.components = parse_components(o.component);
+    e.truth.true_environment = o.reference_lights == "true";
+    set_ao(e.truth, o);
+
+    SceneEntry scene;
+    scene.name = scene.group = scene.source = scene.file = o.scene;
+    scene.load = load_options(global);
+    set_parameters(scene.frame, "--frame", parse_values("--frame", o.frame));
+    ViewGroup views = o.views;
+    views.choice.seed = std::uint32_t(o.truth.seed);
     const Size size = parse_size(o.size);
-    s.width = size.width, s.height = size.height;
-    s.components = parse_components(o.component);
-    set_ao(s, o);
-    set_parameters(s.frame, "--frame", parse_values("--frame", o.frame));
-    s.views.seed = std::uint32_t(s.seed);
-    s.true_environment = o.reference_lights == "true";
-    if (!o.no_cache) s.cache = o.cache.empty() ? default_cache_folder() : std::filesystem::path(o.cache);
-    s.quiet = global.quiet;
-    return s;
+    views.width = size.width, views.height = size.height;
+    scene.views = {views};
+    e.scenes = {scene};
+    return e;
 }
 
 void run(const Options& o, const Global& global) {
-    const EvaluationSettings settings = settings_of(o, global);
-    std::vector<TechniqueRow> rows = parse_uses(o.use);
+    const Experiment experiment = experiment_of(o, global);
+    const PictureFiles pictures(o.output, experiment);
     OutputFolder output(o.output);
-
-    Scene scene = load(settings.scene, global);
-    ResultFiles files(output.path(), rows);
-    EvaluationResult result = evaluate(scene, settings, std::move(rows),
-                                       [&](const ViewPictures& pictures) { files.add(pictures); });
-    print_warnings(result.warnings);
-    result.warnings.insert(result.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
-    files.finish(result);
+    const ExperimentResult result =
+        run_experiment(experiment, {.device = o.device,
+                                    .cache = o.cache.path(),
+                                    .quiet = global.quiet,
+                                    .warn = print_warnings,
+                                    .pictures = [&](const SceneEntry& scene, const ViewPictures& view) {
+                                        return pictures.add(scene, view);
+                                    }});
+    write_results(output.path(), result);
     output.keep();
 
     if (global.json) return print_json(to_json(result));
@@ -88,10 +107,10 @@ void add_measurement_options(CLI::App& command, Options& o) {
                        "Of --component ao, meters (default 1); give the rows the same");
     command.add_option("--ao-membership", o.ao_membership,
                        "Of --component ao: an occluder's weight by distance: " + ao_memberships());
-    command.add_option("--spp", o.settings.spp, "Samples a pixel of the truth")
-        ->check(CLI::Range(2, 1 << 20))
+    command.add_option("--spp", o.truth.spp, "Samples a pixel of the truth")
+        ->check(CLI::Range(4, 1 << 20))
         ->capture_default_str();
-    command.add_option("--seed", o.settings.seed, "Of drawn views and of the truth")
+    command.add_option("--seed", o.truth.seed, "Of drawn views and of the truth")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command
@@ -100,12 +119,10 @@ void add_measurement_options(CLI::App& command, Options& o) {
             "With environment=lights: the truth has the same directional lights, or the true environment")
         ->check(CLI::IsMember({"same", "true"}))
         ->capture_default_str();
-    command.add_option("--frames", o.settings.timed_frames, "Timed frames, of which the median counts")
+    command.add_option("--frames", o.timed_frames, "Timed frames, of which the median counts")
         ->check(CLI::Range(5, 10000))
         ->capture_default_str();
-    command.add_option("--cache", o.cache,
-                       "Folder of stored truths; default: $XDG_CACHE_HOME/luxel or ~/.cache/luxel");
-    command.add_flag("--no-cache", o.no_cache, "Neither read nor store truths");
+    add_cache_options(command, o.cache);
 }
 
 } // namespace
@@ -114,23 +131,23 @@ void add_evaluate(CLI::App& app, const Global& global) {
     auto o = std::make_shared<Options>();
     CLI::App* command =
         app.add_subcommand("evaluate", "Measure techniques against the truth: error, time, memory");
-    command->add_option("scene", o->settings.scene, "builtin:NAME, .gltf, .glb, .obj or .toml")->required();
-    command->add_option("-o,--output", o->output, "Folder for report.html, results.json and images/")
+    command->add_option("scene", o->scene, "builtin:NAME, .gltf, .glb, .obj or .toml")->required();
+    command
+        ->add_option("-o,--output", o->output,
+                     "Folder for report.html, results.json, results.csv and images/")
         ->required();
     command->add_option("--use", o->use, "T[:key=value,...], a row; slots joined by +; may be repeated")
         ->allow_extra_args(false);
     command
-        ->add_option("--views", o->settings.views.drawn,
+        ->add_option("--views", o->views.choice.drawn,
                      "Draw this many views by seed; default: the scene's cameras")
         ->check(CLI::Range(1, 10000));
-    command
-        ->add_option("--view", o->settings.views.names, "Only this view, by name or number; may be repeated")
+    command->add_option("--view", o->views.choice.names, "Only this view, by name or number; may be repeated")
         ->allow_extra_args(false);
-    add_cameras_option(*command, o->settings.views.file)->excludes("--views");
+    add_cameras_option(*command, o->views.choice.file)->excludes("--views");
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
-    command->add_option("--device", o->settings.device,
-                        "GPU by number or part of its name; see luxel devices");
+    command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");
     command->add_flag("--verbose", o->verbose, "Print every view and the time by pass");
     add_measurement_options(*command, *o);
     command->footer(

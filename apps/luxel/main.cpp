@@ -45,6 +45,7 @@ memory or another resource, 6 cannot read or write, 7 the device was lost.
 
 Examples:
   luxel evaluate builtin:cornell --use isr -o out
+  luxel experiment experiments/quick.toml -o out
   luxel render scene.gltf --use isr:samples=80 -o picture.png
   luxel reference scene.gltf --component diffuse --spp 256 -o truth.exr
 Each subcommand has its own --help.)";
@@ -77,8 +78,8 @@ int run(int argc, char** argv) {
     });
 
     using namespace luxel::app;
-    for (auto add : {add_evaluate, add_render, add_reference, add_diff, add_techniques, add_info, add_views,
-                     add_export, add_reproduce, add_devices})
+    for (auto add : {add_evaluate, add_experiment, add_render, add_reference, add_diff, add_techniques,
+                     add_info, add_views, add_export, add_reproduce, add_devices})
         add(app, global);
     require_known_subcommand(app, argc, argv);
     try {

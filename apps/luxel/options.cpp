@@ -10,7 +10,7 @@
 #include "core/parameters.h"
 #include "experiments/json_text.h"
 #include "experiments/output_folder.h"
-#include "scene/load.h"
+#include "experiments/reference_cache.h"
 
 namespace luxel::app {
 
@@ -48,16 +48,31 @@ CLI::Option* add_cameras_option(CLI::App& command, std::string& file) {
                               "Camera script, TOML, instead of the scene's cameras; see luxel views");
 }
 
+std::filesystem::path CacheChoice::path() const {
+    if (none) return {};
+    return folder.empty() ? default_cache_folder() : std::filesystem::path(folder);
+}
+
+void add_cache_options(CLI::App& command, CacheChoice& choice) {
+    command.add_option("--cache", choice.folder,
+                       "Folder of stored truths; default: $XDG_CACHE_HOME/luxel or ~/.cache/luxel");
+    command.add_flag("--no-cache", choice.none, "Neither read nor store truths");
+}
+
 void print_warnings(const std::vector<std::string>& warnings) {
     const std::size_t shown = std::min(warnings.size(), printed_warnings);
     for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "luxel: warning: {}\n", warnings[i]);
     if (warnings.size() > 1) fmt::print(stderr, "luxel: warning: {} warnings in all\n", warnings.size());
 }
 
+LoadOptions load_options(const Global& global) {
+    return {.strict = global.strict,
+            .environment = global.environment,
+            .environment_scale = global.environment_scale};
+}
+
 Scene load(const std::string& source, const Global& global) {
-    Scene scene = load_scene(source, {.strict = global.strict,
-                                      .environment = global.environment,
-                                      .environment_scale = global.environment_scale});
+    Scene scene = load_scene(source, load_options(global));
     print_warnings(scene.warnings);
     return scene;
 }

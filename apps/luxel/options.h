@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What several subcommands share: sizes, scenes with their warnings, frame options.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 #include "commands.h"
 #include "core/image.h"
-#include "scene/scene.h"
+#include "scene/load.h"
 
 namespace luxel::app {
 
@@ -22,11 +23,22 @@ Size parse_size(const std::string& text);
 // --cameras FILE.toml.
 CLI::Option* add_cameras_option(CLI::App& command, std::string& file);
 
+// Where truths are kept.
+struct CacheChoice {
+    std::string folder;
+    bool none = false;
+    std::filesystem::path path() const; // empty = nowhere
+};
+void add_cache_options(CLI::App& command, CacheChoice& choice);
+
 // "key=value,key=value" for --frame. Error Fault::usage.
 std::vector<std::pair<std::string, std::string>> parse_values(const std::string& option,
                                                               const std::string& text);
 
 void print_warnings(const std::vector<std::string>& warnings);
+
+// As the options that every subcommand takes have it.
+LoadOptions load_options(const Global& global);
 
 // Loaded under --strict, warnings printed.
 Scene load(const std::string& source, const Global& global);

@@ -4,7 +4,6 @@
 
 #include "core/error.h"
 #include "experiments/output_folder.h"
-#include "experiments/reference_cache.h"
 #include "experiments/reproduce.h"
 #include "options.h"
 
@@ -13,9 +12,9 @@ namespace luxel::app {
 namespace {
 
 struct Options {
-    std::string thesis, size = "192x144", cache;
+    std::string thesis, size = "192x144";
     int chapter = 0;
-    bool no_cache = false;
+    CacheChoice cache;
     ReproduceSettings settings;
 };
 
@@ -36,12 +35,10 @@ void run(const Options& o, const Global& global) {
     const Reproduce reproduce = find(o);
     ReproduceSettings settings = o.settings;
     const Size size = parse_size(o.size);
-    settings.evaluation.width = size.width, settings.evaluation.height = size.height;
-    settings.evaluation.views.seed = std::uint32_t(settings.evaluation.seed);
-    settings.evaluation.quiet = global.quiet;
+    settings.width = size.width, settings.height = size.height;
+    settings.run.quiet = global.quiet;
     settings.strict = global.strict;
-    if (!o.no_cache)
-        settings.evaluation.cache = o.cache.empty() ? default_cache_folder() : std::filesystem::path(o.cache);
+    settings.run.cache = o.cache.path();
     const Reproduction result = reproduce(settings);
     print_warnings(result.warnings);
 
@@ -63,7 +60,7 @@ void run(const Options& o, const Global& global) {
 
 void add_reproduce(CLI::App& app, const Global& global) {
     auto o = std::make_shared<Options>();
-    EvaluationSettings& e = o->settings.evaluation;
+    TruthSettings& truth = o->settings.truth;
     CLI::App* command = app.add_subcommand("reproduce", "Print a thesis's claims beside measurements");
     command->add_option("thesis", o->thesis, "rohleder-2010 or umenhoffer-2009")->required();
     command->add_option("--chapter", o->chapter, "Where the thesis has several experiments")
@@ -74,16 +71,15 @@ void add_reproduce(CLI::App& app, const Global& global) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
-    command->add_option("--spp", e.spp, "Samples a pixel of the truth")
-        ->check(CLI::Range(2, 1 << 20))
+    command->add_option("--spp", truth.spp, "Samples a pixel of the truth")
+        ->check(CLI::Range(4, 1 << 20))
         ->capture_default_str();
-    command->add_option("--seed", e.seed, "Of drawn views and of the truth")
+    command->add_option("--seed", truth.seed, "Of drawn views and of the truth")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_option("--device", e.device, "GPU by number or part of its name; see luxel devices");
-    command->add_option("--cache", o->cache,
-                        "Folder of stored truths; default: $XDG_CACHE_HOME/luxel or ~/.cache/luxel");
-    command->add_flag("--no-cache", o->no_cache, "Neither read nor store truths");
+    command->add_option("--device", o->settings.run.device,
+                        "GPU by number or part of its name; see luxel devices");
+    add_cache_options(*command, o->cache);
     command->footer("Truths are stored, so that a run that was cut off goes on where it was.\n"
                     "Example: luxel reproduce rohleder-2010\n"
                     "         luxel reproduce umenhoffer-2009 --chapter 4 --views-per-scene 4 --json");

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The experiment: for every view the truth and every row of techniques, with error, time and memory.
+// One view: the truth and every row of techniques, with error, time and memory.
 #pragma once
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "experiments/figures.h"
 #include "experiments/technique_rows.h"
-#include "experiments/view_choice.h"
-#include "techniques/frame/frame.h"
+#include "techniques/frame/renderer.h"
 
 namespace luxel {
 
-struct EvaluationSettings {
-    std::string scene;                                            // as typed, for the record
-    std::vector<std::string> components = {"direct", "diffuse1"}; // whose sum is the truth
-    ViewChoice views;
-    int width = 640, height = 480;
-    float ao_radius = 1.0f; // meters, for the component ao
+// What the truth of a view is.
+struct TruthSettings {
+    std::vector<std::string> components = {"direct", "diffuse1"}; // their sum, or "ao" alone
+    float ao_radius = 1.0f;                                       // meters
     Membership ao_membership = Membership::step;
     int spp = 64;
     int seed = 1;
-    FrameOptions frame;
     bool true_environment = false; // the reference keeps the environment where the frame samples it as lights
-    std::string device;
-    std::filesystem::path cache; // empty = none
+};
+
+// One view to evaluate.
+struct ViewTask {
+    Camera camera;
+    int width = 640, height = 480;
     int timed_frames = 5;
-    bool quiet = false;
 };
 
 struct RowResult {
@@ -40,27 +41,20 @@ struct RowResult {
 
 struct ViewResult {
     Camera camera;
+    int width = 0, height = 0;
     float exposure = 1;
     double noise = 0;
     int reference_spp = 0;
     double reference_seconds = 0;
     bool reference_cached = false;
-    std::vector<RowResult> rows; // as EvaluationResult::rows
+    std::vector<RowResult> rows;       // the baseline first
+    nlohmann::ordered_json pictures;   // for the page, see result_files.h; null = none
+    std::vector<std::string> warnings; // of its truth
 };
 
 struct RowName {
     std::string label, name;
     std::vector<ParameterInfo> parameters;
-};
-
-struct EvaluationResult {
-    EvaluationSettings settings;
-    gpu::DeviceInfo device;
-    std::vector<RowName> rows;
-    std::vector<ViewResult> views;
-    std::vector<RowResult> mean; // over views, per row
-    double mean_noise = 0;
-    std::vector<std::string> warnings;
 };
 
 // The pictures of one view, handed on as soon as they are there and not kept.
@@ -69,13 +63,26 @@ struct ViewPictures {
     const Target& target;
     const std::vector<Candidate>& rows; // the baseline first
 };
-using PictureSink = std::function<void(const ViewPictures&)>;
+using PictureSink = std::function<nlohmann::ordered_json(const ViewPictures&)>; // ViewResult::pictures
 
 // The scene as the reference is to light it, by the frame's treatment of the environment.
 Scene reference_scene(const Scene& scene, const FrameOptions& frame, bool true_environment);
 
-// `rows` begins with the baseline. Error Fault::unsupported without a usable device.
-EvaluationResult evaluate(const Scene& scene, const EvaluationSettings& settings,
-                          std::vector<TechniqueRow> rows, const PictureSink& sink);
+ReferenceRequest reference_request(const TruthSettings& truth, const ViewTask& task);
+
+// A scene on the GPU, and as rays for its truth.
+struct SceneOnStage {
+    Renderer& renderer;
+    const RayCaster& rays;       // of reference_scene()
+    std::filesystem::path cache; // of truths; empty = none
+};
+
+// Pipelines compile at their first use; what the rows remember of these frames is to be thrown away with
+// them.
+void warm_up(Renderer& renderer, const ViewTask& task, std::vector<TechniqueRow>& rows);
+
+// `rows` begins with the baseline and has seen no frame yet: what is measured does not depend on other views.
+ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const TruthSettings& truth,
+                         std::vector<TechniqueRow>& rows, const PictureSink& sink);
 
 } // namespace luxel

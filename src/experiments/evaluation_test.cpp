@@ -24,10 +24,14 @@ TEST(Evaluation, ARowWithoutAccessibilityCannotBeHeldAgainstOcclusion) {
     rows.push_back({.label = "light", .name = "light"});
     rows[1].techniques.push_back(std::make_unique<Light>());
     const Scene scene = load_scene("builtin:cornell");
-    const EvaluationSettings settings = {
-        .components = {"ao"}, .width = 16, .height = 16, .spp = 2, .quiet = true};
+    const RayCaster rays(scene);
+    gpu::Gpu gpu{gpu::GpuOptions{}};
+    Renderer renderer(gpu, scene, {});
+    const ViewTask task = {.camera = scene.cameras[0], .width = 16, .height = 16};
+    const TruthSettings truth = {.components = {"ao"}, .spp = 2};
     try {
-        evaluate(scene, settings, std::move(rows), [](const ViewPictures&) {});
+        evaluate_view({renderer, rays, {}}, task, truth, rows,
+                      [](const ViewPictures&) { return nlohmann::ordered_json(); });
         FAIL() << "it was evaluated";
     } catch (const Error& e) {
         EXPECT_EQ(e.fault(), Fault::usage);

@@ -41,7 +41,7 @@ std::string report_page(const nlohmann::ordered_json& results, const nlohmann::o
     const nlohmann::ordered_json scales = {{"error", error_scale}, {"change", change_scale}};
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-    page += "<title>luxel: " + html_safe(results.at("scene").get<std::string>()) + "</title>\n<style>\n";
+    page += "<title>luxel: " + html_safe(results.at("name").get<std::string>()) + "</title>\n<style>\n";
     page += report_style();
     page += "</style>\n</head>\n<body>\n<main id=\"page\"><noscript>This report draws its tables and "
             "pictures with "
@@ -50,6 +50,7 @@ std::string report_page(const nlohmann::ordered_json& results, const nlohmann::o
     page += "const pictures = " + script_safe(pictures) + ";\n";
     page += "const scales = " + script_safe(scales) + ";\n";
     page += report_script();
+    page += report_charts();
     page += report_viewer();
     page += "</script>\n</body>\n</html>\n";
     return page;

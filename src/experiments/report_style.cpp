@@ -28,6 +28,12 @@ section { background: var(--paper); border: 1px solid var(--line); border-radius
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 440px), 1fr)); gap: 18px; margin-top: 18px; }
 .pair section { margin-top: 0; }
 .scroll { overflow-x: auto; }
+.tall .scroll { max-height: 560px; overflow-y: auto; }
+.tall thead th { position: sticky; top: 0; background: var(--paper); }
+button.sort { all: unset; cursor: pointer; } button.sort:focus-visible { outline: 2px solid var(--accent); }
+tr.open { cursor: pointer; } tr.open:hover td { background: #f2f5fb; }
+rect.bar { cursor: pointer; } rect.bar:hover { stroke: var(--ink); }
+h3 { font-size: 15px; font-weight: 600; margin: 0 0 10px; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; font-variant-numeric: tabular-nums; }
 th, td { text-align: right; padding: 7px 0 7px 18px; white-space: nowrap; }
 th { color: var(--soft); font-weight: 550; font-size: 12.5px; border-bottom: 1px solid var(--line); }
@@ -49,6 +55,7 @@ svg text.strong { fill: var(--ink); font-weight: 560; }
 .strip span { display: block; padding: 3px 4px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .strip button[aria-pressed=true] { border-color: var(--accent); color: var(--ink); }
 .bar { display: flex; flex-wrap: wrap; align-items: center; gap: 10px 16px; margin-bottom: 12px; }
+.controls { position: sticky; top: 0; z-index: 2; background: var(--ground); padding: 10px 0; margin: 0; }
 .bar label { font-size: 13px; color: var(--soft); display: flex; align-items: center; gap: 7px; }
 select { font: inherit; font-size: 14px; padding: 5px 8px; border: 1px solid #cfd5de; border-radius: 7px; background: #fff;
   color: var(--ink); max-width: 260px; }

@@ -6,26 +6,34 @@
 
 #include <fmt/ranges.h>
 
-#include "scene/load.h"
-
 namespace luxel {
 
 namespace {
 
 // All views of all scenes, each with its rows in the order of `uses` behind the baseline.
 std::vector<ViewResult> run(const ReproduceSettings& settings, const std::vector<std::string>& uses,
-                            const std::vector<std::string>& scenes, const EvaluationSettings& base,
+                            const std::vector<std::string>& scenes, const TruthSettings& truth,
                             Reproduction& out) {
-    std::vector<ViewResult> views;
+    Experiment experiment;
+    experiment.name = "reproduce";
+    experiment.uses = uses;
+    experiment.truth = truth;
     for (const std::string& source : scenes) {
-        const Scene scene = load_scene(source, {.strict = settings.strict});
-        EvaluationSettings evaluation = base;
-        evaluation.scene = source;
-        evaluation.views.drawn = settings.views_per_scene;
-        EvaluationResult result = evaluate(scene, evaluation, parse_uses(uses), [](const ViewPictures&) {});
-        views.insert(views.end(), result.views.begin(), result.views.end());
+        SceneEntry entry;
+        entry.name = entry.source = entry.file = entry.group = source;
+        entry.load.strict = settings.strict;
+        const ViewChoice choice = {.drawn = settings.views_per_scene, .seed = std::uint32_t(truth.seed)};
+        entry.views = {{.choice = choice, .width = settings.width, .height = settings.height}};
+        experiment.scenes.push_back(entry);
+    }
+    RunOptions options = settings.run;
+    options.pictures = [](const SceneEntry&, const ViewPictures&) { return nullptr; };
+    const ExperimentResult result = run_experiment(experiment, options);
+
+    std::vector<ViewResult> views;
+    for (const SceneResult& scene : result.scenes) {
+        views.insert(views.end(), scene.views.begin(), scene.views.end());
         out.warnings.insert(out.warnings.end(), scene.warnings.begin(), scene.warnings.end());
-        out.warnings.insert(out.warnings.end(), result.warnings.begin(), result.warnings.end());
     }
     return views;
 }
@@ -49,9 +57,9 @@ double median(std::vector<double> values) {
 }
 
 std::string setting(const std::vector<ViewResult>& views, const std::vector<std::string>& scenes,
-                    const EvaluationSettings& e) {
+                    const ReproduceSettings& settings) {
     return fmt::format("{} views of {} at {}x{}, {} samples a pixel for the truth", views.size(),
-                       fmt::join(scenes, ", "), e.width, e.height, e.spp);
+                       fmt::join(scenes, ", "), settings.width, settings.height, settings.truth.spp);
 }
 
 // The thesis's statements for one row; each names the mode.
@@ -115,10 +123,10 @@ Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings) {
     Reproduction out;
     std::vector<std::string> scenes = settings.scenes;
     if (scenes.empty()) scenes = {"builtin:cornell", "builtin:shapes-point", "builtin:sphere-in-box"};
-    EvaluationSettings e = settings.evaluation;
+    TruthSettings e = settings.truth;
     e.components = {"direct", "diffuse1"};
     const auto views = run(settings, {"isr:samples=80", "isr:mode=thesis,samples=80"}, scenes, e, out);
-    out.source = setting(views, scenes, e);
+    out.source = setting(views, scenes, settings);
     add_radiosity(out, views, 1, "calibrated");
     add_radiosity(out, views, 2, "thesis");
     out.remarks = {
@@ -133,7 +141,7 @@ Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settin
     Reproduction out;
     std::vector<std::string> scenes = settings.scenes;
     if (scenes.empty()) scenes = {"builtin:cornell", "builtin:shapes-point"};
-    EvaluationSettings e = settings.evaluation;
+    TruthSettings e = settings.truth;
     e.components = {"ao"};
 
     // The memberships that the thesis compares with: cubic in fig. 4.8, step in fig. 4.11; tangent is the one
@@ -164,7 +172,7 @@ Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settin
     };
     out.statements.push_back({"tangent, R 0.9 m, 4 samples: weighted against analytic normalization", better,
                               fmt::format("{:.4f} against {:.4f}", delta(1), delta(2)), delta(1) < delta(2)});
-    out.source = setting(views, scenes, e);
+    out.source = setting(views, scenes, settings);
     out.remarks = {"the thesis's radii are 3 and 9 in its scene's units; here .3 and .9 meters",
                    "figures are mean absolute errors of accessibility against ray-traced occlusion with the "
                    "membership named first",

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/evaluation.h"
+#include "experiments/experiment_run.h"
 
 namespace luxel {
 
@@ -23,7 +23,9 @@ struct Reproduction {
 struct ReproduceSettings {
     std::vector<std::string> scenes; // empty: built-in ones
     int views_per_scene = 2;
-    EvaluationSettings evaluation; // size, samples, seed, cache, device; the rest is set here
+    int width = 192, height = 144;
+    TruthSettings truth; // samples and seed; the rest is set here
+    RunOptions run;      // device, cache, quiet
     bool strict = false;
 };
 

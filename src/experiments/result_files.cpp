@@ -9,16 +9,19 @@
 #include "core/image_io.h"
 #include "core/metrics.h"
 #include "experiments/json_text.h"
+#include "experiments/page_pictures.h"
 #include "experiments/pictures.h"
 #include "experiments/report.h"
+#include "experiments/results_csv.h"
 #include "experiments/results_json.h"
 
 namespace luxel {
 
 namespace {
 
-constexpr int page_width = 1280;
-constexpr int photo_quality = 88, map_quality = 80;
+// Small copies bear less of a closer look.
+constexpr int large_width = 640;
+constexpr int photo_quality = 88, map_quality = 80, small_quality = 75;
 
 std::map<std::string, std::string> exr_metadata(const ViewPictures& p, const std::string& what) {
     return {{"luxel.version", LUXEL_VERSION},
@@ -29,10 +32,11 @@ std::map<std::string, std::string> exr_metadata(const ViewPictures& p, const std
 
 } // namespace
 
-ResultFiles::ResultFiles(std::filesystem::path folder, const std::vector<TechniqueRow>& rows)
-    : folder_(std::move(folder)), page_pictures_(nlohmann::ordered_json::array()) {
+PictureFiles::PictureFiles(std::filesystem::path folder, const Experiment& experiment)
+    : folder_(std::move(folder)), mode_(experiment.pictures), page_width_(experiment.picture_width),
+      many_scenes_(experiment.scenes.size() > 1) {
     std::set<std::string> taken = {"reference"};
-    for (const TechniqueRow& row : rows) {
+    for (const TechniqueRow& row : parse_uses(experiment.uses)) {
         const std::string stem = file_name_of(row.label);
         std::string name = stem;
         for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}-{}", stem, n);
@@ -40,36 +44,48 @@ ResultFiles::ResultFiles(std::filesystem::path folder, const std::vector<Techniq
     }
 }
 
-void ResultFiles::add(const ViewPictures& p) {
-    const std::filesystem::path folder = folder_ / "images" / file_name_of(p.result.camera.name);
+void PictureFiles::write(const std::filesystem::path& folder, const ViewPictures& p) const {
     std::filesystem::create_directories(folder);
-    const Image& mask = p.target.mask;
-    write_exr(folder / "reference.exr", {{"", p.target.radiance}, {"mask", mask}},
+    write_exr(folder / "reference.exr", {{"", p.target.radiance}, {"mask", p.target.mask}},
               exr_metadata(p, "reference"));
     write_png(folder / "reference.png", p.target.shown);
-
-    nlohmann::ordered_json page = {{"reference", jpeg_uri(shrink(p.target.shown, page_width), photo_quality)},
-                                   {"rows", nlohmann::ordered_json::array()}};
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
         const Image& shown = p.rows[i].shown;
         write_exr(folder / (file_names_[i] + ".exr"), {{"", p.rows[i].radiance}},
                   exr_metadata(p, file_names_[i]));
         write_png(folder / (file_names_[i] + ".png"), shown);
         write_png(folder / (file_names_[i] + "-difference.png"), difference_picture(p.target.shown, shown));
-
-        const Image error = error_map(p.target.shown, shown, mask);
-        const Image change = change_map(p.target.shown, p.rows[0].shown, shown, mask);
-        page["rows"].push_back({{"image", jpeg_uri(shrink(shown, page_width), photo_quality)},
-                                {"error", jpeg_uri(shrink(error, page_width), map_quality)},
-                                {"change", jpeg_uri(shrink(change, page_width), map_quality)}});
     }
-    page_pictures_.push_back(std::move(page));
 }
 
-void ResultFiles::finish(const EvaluationResult& result) const {
+nlohmann::ordered_json PictureFiles::add(const SceneEntry& entry, const ViewPictures& p) const {
+    if (mode_ == PictureMode::none) return nullptr;
+    if (mode_ == PictureMode::files)
+        write(folder_ / "images" / (many_scenes_ ? file_name_of(entry.name) : "") /
+                  file_name_of(p.result.camera.name),
+              p);
+
+    const bool small = page_width_ < large_width;
+    const auto uri = [&](const Image& image, int quality) {
+        return jpeg_uri(shrink(image, page_width_), small ? small_quality : quality);
+    };
+    nlohmann::ordered_json page = {{"reference", uri(p.target.shown, photo_quality)},
+                                   {"rows", nlohmann::ordered_json::array()}};
+    for (const Candidate& row : p.rows) {
+        const Image error = error_map(p.target.shown, row.shown, p.target.mask);
+        const Image change = change_map(p.target.shown, p.rows[0].shown, row.shown, p.target.mask);
+        page["rows"].push_back({{"image", uri(row.shown, photo_quality)},
+                                {"error", uri(error, map_quality)},
+                                {"change", uri(change, map_quality)}});
+    }
+    return page;
+}
+
+void write_results(const std::filesystem::path& folder, const ExperimentResult& result) {
     const nlohmann::ordered_json json = to_json(result);
-    write_file(folder_ / "results.json", dump(json) + "\n");
-    write_file(folder_ / "report.html", report_page(json, page_pictures_));
+    write_file(folder / "results.csv", results_csv(result));
+    write_file(folder / "results.json", dump(json) + "\n");
+    write_file(folder / "report.html", report_page(json, page_pictures(result)));
 }
 
 } // namespace luxel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an evaluation leaves behind: images/, results.json, report.html.
+// What an experiment leaves behind: images/, results.csv, results.json, report.html.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,21 +7,29 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/evaluation.h"
+#include "experiments/experiment.h"
 
 namespace luxel {
 
-class ResultFiles {
+// Writes the pictures of views as they come.
+class PictureFiles {
 public:
-    ResultFiles(std::filesystem::path folder, const std::vector<TechniqueRow>& rows);
-    // Writes the view's images and keeps small copies for the page.
-    void add(const ViewPictures& pictures);
-    void finish(const EvaluationResult& result) const;
+    PictureFiles(std::filesystem::path folder, const Experiment& experiment);
+    // By the experiment's picture mode, the view's images go to images/VIEW, or images/SCENE/VIEW where there
+    // are several scenes. Returns small copies for the page, {reference, rows: [{image, error, change}]}, or
+    // null.
+    nlohmann::ordered_json add(const SceneEntry& entry, const ViewPictures& pictures) const;
 
 private:
+    void write(const std::filesystem::path& folder, const ViewPictures& pictures) const;
     std::filesystem::path folder_;
-    std::vector<std::string> file_names_;  // per row, all different
-    nlohmann::ordered_json page_pictures_; // per view: {reference, rows: [{image, error, change}]}
+    PictureMode mode_;
+    int page_width_;
+    bool many_scenes_;
+    std::vector<std::string> file_names_; // per row, all different
 };
+
+// results.csv, results.json, report.html.
+void write_results(const std::filesystem::path& folder, const ExperimentResult& result);
 
 } // namespace luxel

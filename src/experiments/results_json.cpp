@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/results_json.h"
 
+#include <cmath>
+#include <limits>
+
 #include <fmt/ranges.h>
 
 #include "experiments/components.h"
@@ -22,24 +25,13 @@ Json to_json(const Camera& camera) {
             {"far", camera.far}};
 }
 
-// An infinite PSNR becomes null: JSON has no infinity.
+// JSON has no infinity (a PSNR of equal images) and no NaN: they become null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json to_json(const RowName& name, const RowResult& row) {
     Json json = {{"name", name.name}, {"label", name.label}, {"parameters", luxel::to_json(name.parameters)}};
-
-    const Figures& f = row.figures;
-    json.update({{"delta", f.delta},
-                 {"gain", f.gain},
-                 {"gain_error", f.gain_error},
-                 {"claimed", row.claimed},
-                 {"rho", f.rho},
-                 {"improved", f.improved},
-                 {"tied", f.tied},
-                 {"quality", f.quality},
-                 {"rmse", f.rmse},
-                 {"relmse", f.relmse},
-                 {"psnr", f.psnr},
-                 {"ssim", f.ssim},
-                 {"flip", f.flip},
+    for (const FigureColumn& column : figure_columns) json[column.name] = number(row.figures.*column.member);
+    json.update({{"claimed", row.claimed},
                  {"ms", row.ms},
                  {"passes", Json::array()},
                  {"memory_bytes", row.memory_bytes}});
@@ -48,29 +40,64 @@ Json to_json(const RowName& name, const RowResult& row) {
     return json;
 }
 
+RowResult row_from_json(const Json& json) {
+    RowResult row;
+    for (const FigureColumn& column : figure_columns) {
+        const Json& value = json.at(column.name);
+        constexpr double infinity = std::numeric_limits<double>::infinity(),
+                         none = std::numeric_limits<double>::quiet_NaN();
+        row.figures.*column.member = !value.is_null()                  ? value.get<double>()
+                                     : column.member == &Figures::psnr ? infinity
+                                                                       : none;
+    }
+    row.claimed = json.at("claimed");
+    row.ms = json.at("ms");
+    row.memory_bytes = json.at("memory_bytes");
+    for (const Json& pass : json.at("passes")) row.passes.push_back({pass.at("name"), pass.at("ms")});
+    return row;
+}
+
 Json to_json(const std::vector<RowName>& names, const std::vector<RowResult>& rows) {
     Json json = Json::array();
     for (std::size_t i = 0; i < rows.size(); ++i) json.push_back(to_json(names[i], rows[i]));
     return json;
 }
 
-Json to_json(const std::vector<RowName>& names, const ViewResult& view) {
-    return {{"name", view.camera.name},
-            {"camera", to_json(view.camera)},
-            {"exposure", view.exposure},
-            {"reference",
-             {{"spp", view.reference_spp},
-              {"seconds", view.reference_seconds},
-              {"noise", view.noise},
-              {"cached", view.reference_cached}}},
-            {"techniques", to_json(names, view.rows)}};
+Json to_json(const Summary& s) {
+    return {{"group", s.group},
+            {"label", s.label},
+            {"views", s.views},
+            {"positive", s.positive},
+            {"claimed", s.claimed},
+            {"mean_gain", s.mean_gain},
+            {"median_gain", s.median_gain},
+            {"rho_before", s.rho_before},
+            {"rho_after", s.rho_after},
+            {"improved", s.improved},
+            {"tied", s.tied}};
+}
+
+Json to_json(const std::vector<RowName>& names, const SceneEntry& entry, const SceneResult& scene) {
+    FrameOptions frame = entry.frame;
+    Json json = {{"name", entry.name},
+                 {"source", entry.source},
+                 {"group", entry.group},
+                 {"environment", entry.load.environment},
+                 {"environment_scale", entry.load.environment_scale},
+                 {"frame", to_json(parameters_of(frame))},
+                 {"views", Json::array()},
+                 {"mean", to_json(names, scene.mean)},
+                 {"mean_noise", scene.mean_noise},
+                 {"warnings", scene.warnings}};
+    for (const ViewResult& view : scene.views) json["views"].push_back(to_json(names, view));
+    return json;
 }
 
 // What occlusion the truth is; null where it is light.
-Json ao_of(const EvaluationSettings& settings) {
-    if (!is_accessibility(settings.components)) return nullptr;
+Json ao_of(const TruthSettings& truth) {
+    if (!is_accessibility(truth.components)) return nullptr;
     ReferenceSettings reference;
-    reference.ao_radius = settings.ao_radius, reference.ao_membership = settings.ao_membership;
+    reference.ao_radius = truth.ao_radius, reference.ao_membership = truth.ao_membership;
     const Json all = luxel::to_json(parameters_of(reference));
     return {{"radius", all["ao_radius"]}, {"membership", all["ao_membership"]}};
 }
@@ -89,31 +116,58 @@ Json to_json(const std::vector<ParameterInfo>& parameters) {
     return json;
 }
 
-Json to_json(const EvaluationResult& result) {
-    const EvaluationSettings& s = result.settings;
-    FrameOptions frame = s.frame;
+Json to_json(const std::vector<RowName>& names, const ViewResult& view) {
+    return {{"name", view.camera.name},
+            {"size", {view.width, view.height}},
+            {"camera", to_json(view.camera)},
+            {"exposure", view.exposure},
+            {"reference",
+             {{"spp", view.reference_spp},
+              {"seconds", view.reference_seconds},
+              {"noise", view.noise},
+              {"cached", view.reference_cached}}},
+            {"techniques", to_json(names, view.rows)}};
+}
+
+ViewResult view_from_json(const Json& json, const ViewTask& task) {
+    ViewResult view;
+    view.camera = task.camera;
+    view.width = task.width, view.height = task.height;
+    view.exposure = json.at("exposure");
+    const Json& reference = json.at("reference");
+    view.reference_spp = reference.at("spp");
+    view.reference_seconds = reference.at("seconds");
+    view.noise = reference.at("noise");
+    view.reference_cached = reference.at("cached");
+    for (const Json& row : json.at("techniques")) view.rows.push_back(row_from_json(row));
+    return view;
+}
+
+Json to_json(const ExperimentResult& result) {
+    const Experiment& e = result.experiment;
     Json json = {{"schema", "luxel-results"},
                  {"schema_version", results_schema_version},
                  {"luxel_version", LUXEL_VERSION},
-                 {"scene", s.scene},
-                 {"size", {s.width, s.height}},
-                 {"spp", s.spp},
-                 {"seed", s.seed},
-                 {"component", fmt::format("{}", fmt::join(s.components, "+"))},
-                 {"ao", ao_of(s)},
+                 {"name", e.name},
+                 {"spp", e.truth.spp},
+                 {"seed", e.truth.seed},
+                 {"component", fmt::format("{}", fmt::join(e.truth.components, "+"))},
+                 {"ao", ao_of(e.truth)},
+                 {"reference_lights", e.truth.true_environment ? "true" : "same"},
+                 {"timed_frames", e.timed_frames},
                  {"device",
                   {{"name", result.device.name},
                    {"driver", result.device.driver},
                    {"type", result.device.type},
                    {"api_version", result.device.api_version}}},
-                 {"frame", to_json(parameters_of(frame))},
-                 {"reference_lights", s.true_environment ? "true" : "same"},
-                 {"timed_frames", s.timed_frames},
-                 {"views", Json::array()},
+                 {"missing", result.missing},
+                 {"scenes", Json::array()},
                  {"mean", to_json(result.rows, result.mean)},
                  {"mean_noise", result.mean_noise},
-                 {"warnings", result.warnings}};
-    for (const ViewResult& view : result.views) json["views"].push_back(to_json(result.rows, view));
+                 {"summary", Json::array()}};
+    for (std::size_t i = 0; i < e.scenes.size(); ++i)
+        json["scenes"].push_back(to_json(result.rows, e.scenes[i], result.scenes[i]));
+    for (const Summary& s : result.summary) json["summary"].push_back(to_json(s));
     return json;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 
-std::string rows_table(const EvaluationResult& result, const std::vector<RowResult>& rows) {
+std::string rows_table(const ExperimentResult& result, const std::vector<RowResult>& rows) {
     std::vector<std::vector<std::string>> cells = {
         {"technique", "delta", "gain %", "+-", "rho", "improved %", "RMSE", "FLIP", "ms", "MiB"}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -33,14 +33,27 @@ bool any_hidden(const std::vector<RowResult>& rows) {
                        [](const RowResult& r) { return r.figures.gain > 0 && !r.claimed; });
 }
 
-std::string passes_table(const EvaluationResult& result) {
+std::string passes_table(const ExperimentResult& result) {
     std::string out;
-    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+    for (std::size_t i = 0; i < result.mean.size(); ++i) {
         out += fmt::format("\nTime by pass, {} (ms):\n", result.rows[i].label);
         for (const gpu::PassTime& pass : result.mean[i].passes)
             out += fmt::format("  {:8.3f}  {}\n", pass.ms, pass.name);
     }
     return out;
+}
+
+std::string summary_table(const std::vector<Summary>& summary) {
+    std::vector<std::vector<std::string>> cells = {{"technique", "scenes", "views", "gain > 0 %", "claimed %",
+                                                    "mean gain %", "median gain %", "rho before", "rho after",
+                                                    "improved %", "tied %"}};
+    for (const Summary& s : summary)
+        cells.push_back({s.label, s.group, fmt::format("{}", s.views),
+                         fmt::format("{:.1f}", 100 * s.positive), fmt::format("{:.1f}", 100 * s.claimed),
+                         fmt::format("{:.2f}", s.mean_gain), fmt::format("{:.2f}", s.median_gain),
+                         fmt::format("{:.4f}", s.rho_before), fmt::format("{:.4f}", s.rho_after),
+                         fmt::format("{:.2f}", 100 * s.improved), fmt::format("{:.2f}", 100 * s.tied)});
+    return format_table(cells);
 }
 
 } // namespace
@@ -60,22 +73,32 @@ std::string format_table(const std::vector<std::vector<std::string>>& cells) {
     return out;
 }
 
-std::string format_result(const EvaluationResult& result, bool verbose) {
+std::string format_result(const ExperimentResult& result, bool verbose) {
+    const Experiment& e = result.experiment;
+    if (result.mean.empty()) return "No view is finished.\n";
     std::string out;
     bool hidden = any_hidden(result.mean);
-    if (verbose)
-        for (const ViewResult& view : result.views) {
-            out += fmt::format("{} (reference noise {:.5f})\n{}\n", view.camera.name, view.noise,
+    std::size_t views = 0;
+    for (std::size_t s = 0; s < result.scenes.size(); ++s)
+        for (const ViewResult& view : result.scenes[s].views) {
+            ++views;
+            if (!verbose) continue;
+            const std::string scene = e.scenes.size() > 1 ? e.scenes[s].name + ", " : "";
+            out += fmt::format("{}{} (reference noise {:.5f})\n{}\n", scene, view.camera.name, view.noise,
                                rows_table(result, view.rows));
             hidden |= any_hidden(view.rows);
         }
-    out += fmt::format("Mean over {} view{} against {} ({} spp, reference noise {:.5f} of delta)\n",
-                       result.views.size(), result.views.size() == 1 ? "" : "s",
-                       fmt::join(result.settings.components, " + "), result.settings.spp, result.mean_noise);
+    out += fmt::format("Mean over {} view{} against {} ({} spp, reference noise {:.5f} of delta)\n", views,
+                       views == 1 ? "" : "s", fmt::join(e.truth.components, " + "), e.truth.spp,
+                       result.mean_noise);
     out += rows_table(result, result.mean);
     if (hidden)
         out += "+- standard error of the gain by the reference's noise; ~ not claimed: the gain is below "
                "1.96 of it\n";
+    if (views > 1 && !result.summary.empty())
+        out += "\nAll views of a group\n" + summary_table(result.summary);
+    if (result.missing > 0)
+        out += fmt::format("\n{} views are left; the same command goes on with them\n", result.missing);
     if (verbose) out += passes_table(result);
     return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/technique_rows.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "core/error.h"
@@ -51,6 +52,27 @@ TechniqueRow parse_use(std::string_view text) {
         row.techniques.push_back(std::move(technique));
     }
     return row;
+}
+
+std::string with_parameter(std::string_view use, std::string_view key, std::string_view value) {
+    const std::vector<std::string_view> parts = split_techniques(use);
+    const std::size_t dot = std::min(key.find('.'), key.size());
+    const std::string_view technique = dot < key.size() ? key.substr(0, dot) : "";
+    const std::string_view parameter = dot < key.size() ? key.substr(dot + 1) : key;
+    if (technique.empty() && parts.size() > 1)
+        fail(Fault::usage, "--use {}: it joins several; say technique.{}", use, key);
+
+    std::string joined;
+    bool found = false;
+    for (std::string_view part : parts) {
+        joined += joined.empty() ? "" : "+";
+        joined += part;
+        if (!technique.empty() && part.substr(0, part.find(':')) != technique) continue;
+        found = true;
+        joined += fmt::format("{}{}={}", part.find(':') == part.npos ? ":" : ",", parameter, value);
+    }
+    if (!found) fail(Fault::usage, "--use {}: there is no {} in it", use, technique);
+    return joined;
 }
 
 std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts) {

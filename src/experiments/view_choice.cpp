@@ -14,17 +14,6 @@ namespace luxel {
 
 namespace {
 
-// Names become file names, so they must differ as such.
-void make_names_unique(std::vector<Camera>& cameras) {
-    std::set<std::string> taken;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        std::string name = cameras[i].name.empty() ? fmt::format("view{}", i) : cameras[i].name;
-        const std::string stem = name;
-        for (int n = 2; !taken.insert(file_name_of(name)).second; ++n) name = fmt::format("{}-{}", stem, n);
-        cameras[i].name = name;
-    }
-}
-
 const Camera* find_view(const std::vector<Camera>& cameras, const std::string& wanted) {
     for (const Camera& camera : cameras)
         if (camera.name == wanted) return &camera;
@@ -51,6 +40,17 @@ std::string file_name_of(const std::string& name) {
         out += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.' ? c : '_';
     if (out.empty() || out[0] == '.') out.insert(out.begin(), '_');
     return out.substr(0, 100);
+}
+
+// Names become file names, so they must differ as such.
+void make_names_unique(std::vector<Camera>& cameras) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        std::string name = cameras[i].name.empty() ? fmt::format("view{}", i) : cameras[i].name;
+        const std::string stem = name;
+        for (int n = 2; !taken.insert(file_name_of(name)).second; ++n) name = fmt::format("{}-{}", stem, n);
+        cameras[i].name = name;
+    }
 }
 
 std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice) {

@@ -20,6 +20,9 @@ struct ViewChoice {
 // Names are unique and never empty. Error Fault::usage for a view that is not there (the known are listed).
 std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice);
 
+// Gives each a name of its own, also as a file name: "view0" where there is none, "a-2" for a second "a".
+void make_names_unique(std::vector<Camera>& cameras);
+
 // Letters, digits, "-", "_", "." kept, everything else "_"; never empty, never hidden.
 std::string file_name_of(const std::string& name);
 

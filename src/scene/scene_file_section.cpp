@@ -16,6 +16,15 @@ constexpr std::uint64_t max_file_bytes = 256 << 10;
 // Each dot of a key nests a table, and the parser bounds only brackets: long chains would end on the stack.
 constexpr int max_dots_per_line = 64;
 
+// A number, a text or a flag as typed after "key=" on the command line.
+std::optional<std::string> plain_text(const toml::node& node) {
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "on" : "off";
+    if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+    if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
+    if (const auto* text = node.as_string()) return text->get();
+    return std::nullopt;
+}
+
 } // namespace
 
 toml::table parse_toml(const std::filesystem::path& path) {
@@ -85,6 +94,61 @@ std::optional<float> Section::number(std::string_view key, double least, double 
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
     return checked(key, *node, least, most);
+}
+
+std::optional<int> Section::integer(std::string_view key, int least, int most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+    if (!value) reject(key, fmt::format("\"{}\" must be a whole number", key));
+    if (*value < least || *value > most)
+        reject(key, fmt::format("\"{}\" is {}, not within [{}, {}]", key, *value, least, most));
+    return int(*value);
+}
+
+std::vector<std::string> Section::texts(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    if (const auto one = node->value<std::string>()) return {*one};
+    std::vector<std::string> texts;
+    if (!node->is_array()) reject(key, fmt::format("\"{}\" must be a list of texts in quotes", key));
+    for (const toml::node& element : *node->as_array()) {
+        const auto text = element.value<std::string>();
+        if (!text) reject(key, fmt::format("\"{}\" must be a list of texts in quotes", key));
+        texts.push_back(*text);
+    }
+    return texts;
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> Section::values(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return {};
+    const toml::table* table = node->as_table();
+    if (!table) reject(key, fmt::format("\"{}\" must be a table of values", key));
+
+    // The parser sorts keys by name; their places bring the file's order back.
+    std::vector<std::pair<toml::source_position, std::string>> keys;
+    for (const auto& [name, value] : *table) keys.emplace_back(name.source().begin, std::string(name.str()));
+    std::sort(keys.begin(), keys.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+
+    std::vector<std::pair<std::string, std::vector<std::string>>> values;
+    for (const auto& [place, name] : keys) {
+        std::vector<std::string> texts;
+        const auto add = [&](const toml::node& value) {
+            const auto text = plain_text(value);
+            if (!text)
+                reject(key, fmt::format("\"{}\" must be plain values or lists of them", printable(name)));
+            texts.push_back(*text);
+        };
+        const toml::node& value = *table->get(name);
+        if (const toml::array* list = value.as_array())
+            for (const toml::node& element : *list) add(element);
+        else
+            add(value);
+        if (texts.empty()) reject(key, fmt::format("\"{}\" is an empty list", printable(name)));
+        values.emplace_back(name, std::move(texts));
+    }
+    return values;
 }
 
 std::optional<glm::vec3> Section::triple(std::string_view key, double least, double most, bool allow_one) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -31,6 +32,11 @@ public:
     std::optional<std::string> text(std::string_view key);
     std::optional<bool> flag(std::string_view key);
     std::optional<float> number(std::string_view key, double least, double most);
+    std::optional<int> integer(std::string_view key, int least, int most);
+    std::vector<std::string> texts(std::string_view key); // empty where absent; one text is a list of one
+    // A table of numbers, texts and flags ("on", "off"), each alone or in a list, as texts in the file's
+    // order.
+    std::vector<std::pair<std::string, std::vector<std::string>>> values(std::string_view key);
     // Three numbers, or one that stands for all three where `allow_one`.
     std::optional<glm::vec3> triple(std::string_view key, double least, double most, bool allow_one = false);
     std::optional<glm::vec3> direction(std::string_view key); // made unit
