@@ -8,9 +8,11 @@
 #define TEXTURES_COMMON 1
 #define TEXTURES_ALL 2
 
-// A storage buffer: lavapipe compiles uniform blocks into the shader again for each draw that branches on them, and
-// never frees what it made (60 MB a frame of Sponza).
-layout(set = 1, binding = 0, scalar) readonly buffer material { MaterialRecord m; };
+// An array of one, by an index that is always 0 but not known to the compiler: a branch on a uniform at a constant place
+// makes lavapipe build a shader for its value at each draw and keep it forever, 40 MB a frame of Sponza. (It reads
+// storage buffers as 0 where a quad's neighbors need derivatives.)
+layout(set = 1, binding = 0, scalar) uniform material { MaterialRecord records[1]; };
+#define m records[uint(gl_FragCoord.x) >> 24u]
 #if TEXTURES != TEXTURES_NONE
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
 #endif
