@@ -11,6 +11,7 @@
 #include "core/image.h"
 #include "gpu/recorder.h"
 #include "techniques/frame/frame.h"
+#include "techniques/frame/projection.h"
 #include "techniques/technique.h"
 
 namespace luxel::testing {
@@ -20,6 +21,28 @@ struct TracedSurface {
     glm::vec3 normal{0}, albedo{0}, radiance{0};
 };
 using TraceFunction = std::function<TracedSurface(glm::vec3 origin, glm::vec3 ray)>;
+
+// What a frame or a capture holds of such a scene.
+inline Capture traced_capture(gpu::Gpu& gpu, const shared::ViewParams& view, const TraceFunction& trace) {
+    const int width = int(view.width), height = int(view.height);
+    Image depth(width, height, 1), normal(width, height, 4), diffuse(width, height, 4),
+        direct(width, height, 4);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::vec2 center{float(x) + 0.5f, float(y) + 0.5f};
+            const TracedSurface s = trace(view.position, world_position(view, center, 1.0f) - view.position);
+            *depth.at(x, y) = s.t;
+            normal.set_rgb(x, y, s.normal);
+            diffuse.set_rgb(x, y, s.albedo);
+            direct.set_rgb(x, y, s.radiance);
+        }
+    Capture c{.width = std::uint32_t(width), .height = std::uint32_t(height), .view = view};
+    c.gbuffer.depth = gpu.upload_image(depth, "depth");
+    c.gbuffer.normal = c.gbuffer.geometric_normal = gpu.upload_image(normal, "normal");
+    c.gbuffer.diffuse = gpu.upload_image(diffuse, "diffuse");
+    c.direct = c.direct_diffuse = gpu.upload_image(direct, "direct");
+    return c;
+}
 
 // Camera of 90 degrees vertically; at (0, 1, 0) looking along -z where nothing else is said.
 struct TracedView {
@@ -35,22 +58,7 @@ struct TracedResult {
 class TracedFrame {
 public:
     TracedFrame(gpu::Gpu& gpu, const TracedView& at, const TraceFunction& trace) : gpu_(&gpu) {
-        frame.width = std::uint32_t(at.width), frame.height = std::uint32_t(at.height);
-        frame.view = view_of(at);
-        Image depth(at.width, at.height, 1), normal(at.width, at.height, 4), diffuse(at.width, at.height, 4),
-            direct(at.width, at.height, 4);
-        for (int y = 0; y < at.height; ++y)
-            for (int x = 0; x < at.width; ++x) {
-                TracedSurface s = trace(at.position, ray(x, y));
-                *depth.at(x, y) = s.t;
-                normal.set_rgb(x, y, s.normal);
-                diffuse.set_rgb(x, y, s.albedo);
-                direct.set_rgb(x, y, s.radiance);
-            }
-        frame.gbuffer.depth = gpu.upload_image(depth, "depth");
-        frame.gbuffer.normal = frame.gbuffer.geometric_normal = gpu.upload_image(normal, "normal");
-        frame.gbuffer.diffuse = gpu.upload_image(diffuse, "diffuse");
-        frame.direct = frame.direct_diffuse = gpu.upload_image(direct, "direct");
+        static_cast<Capture&>(frame) = traced_capture(gpu, view_of(at), trace);
         set_environment({});
     }
 
@@ -88,13 +96,10 @@ public:
 
 private:
     static shared::ViewParams view_of(const TracedView& at) {
-        shared::ViewParams v{};
         glm::vec3 right = glm::normalize(glm::cross(at.forward, glm::vec3(0, 1, 0)));
-        v.position = at.position, v.forward = at.forward;
-        v.right = right * (float(at.width) / float(at.height)), v.up = glm::cross(right, at.forward);
-        v.width = float(at.width), v.height = float(at.height);
-        v.near = 0.01f, v.far = 1000.0f;
-        return v;
+        return view_params({at.position, at.forward, right * (float(at.width) / float(at.height)),
+                            glm::cross(right, at.forward)},
+                           0.01f, 1000.0f, {float(at.width), float(at.height)});
     }
     gpu::Gpu* gpu_;
 };

@@ -10,16 +10,13 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/frame/projection.h"
+#include "support/traced_frame.h"
 #include "techniques/isr/isr.h"
 
 namespace luxel::testing {
 
-struct Analytic {
-    float t = 0; // along the pixel ray (component 1 along the view direction), 0 = background
-    glm::vec3 normal{0}, albedo{0}, radiance{0};
-};
-using AnalyticScene = std::function<Analytic(glm::vec3 origin, glm::vec3 ray)>;
+using Analytic = TracedSurface;
+using AnalyticScene = TraceFunction;
 
 // 90 degrees high, at (x, 1, 0) looking along -z.
 inline shared::ViewParams view_from(float x, int width, int height) {
@@ -56,24 +53,8 @@ struct AnalyticFrame {
     void see(const shared::ViewParams& view) { static_cast<Capture&>(frame) = trace(scene, view); }
 
     Capture trace(const AnalyticScene& what, const shared::ViewParams& v) {
-        int width = int(v.width), height = int(v.height);
-        Image depth(width, height, 1), normal(width, height, 4), diffuse(width, height, 4),
-            direct(width, height, 4);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                glm::vec3 ray = world_position(v, {float(x) + 0.5f, float(y) + 0.5f}, 1.0f) - v.position;
-                Analytic a = what(v.position, ray);
-                *depth.at(x, y) = a.t;
-                normal.set_rgb(x, y, a.normal);
-                diffuse.set_rgb(x, y, a.albedo);
-                direct.set_rgb(x, y, a.radiance);
-            }
-        Capture c{
-            .width = std::uint32_t(width), .height = std::uint32_t(height), .view = v, .scene = &on_gpu};
-        c.gbuffer.depth = gpu.upload_image(depth, "depth");
-        c.gbuffer.normal = c.gbuffer.geometric_normal = gpu.upload_image(normal, "normal");
-        c.gbuffer.diffuse = gpu.upload_image(diffuse, "diffuse");
-        c.direct = c.direct_diffuse = gpu.upload_image(direct, "direct");
+        Capture c = traced_capture(gpu, v, what);
+        c.scene = &on_gpu;
         return c;
     }
 
