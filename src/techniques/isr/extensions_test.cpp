@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Patches beyond what the frame shows: closed forms, and equality where they have nothing to add.
-#include "techniques/isr/analytic_frame.h"
 #include "techniques/isr/patches.h"
+#include "techniques/isr/test_frame.h"
 #include "techniques/isr/view_params.h"
 
 namespace luxel {
 namespace {
 
 using testing::Analytic;
-using testing::AnalyticFrame;
 using testing::corner_form_factor;
 using testing::floor_and_wall;
 using testing::floor_z;
+using testing::IsrTestFrame;
 using testing::mean_over_block;
 
 constexpr int size = 256;
 
 // E/pi of the floor in rows between the wall and the eye, where `expected` gives its closed form by distance
 // from the wall.
-void expect_floor(const AnalyticFrame& f, const Image& radiance, double wall_z,
+void expect_floor(const IsrTestFrame& f, const Image& radiance, double wall_z,
                   const std::function<double(double)>& expected, double tolerance) {
     for (int y : {205, 220, 240}) {
         double distance = std::abs(floor_z(f.frame.view, float(y) + 4.0f) - wall_z);
@@ -29,7 +29,7 @@ void expect_floor(const AnalyticFrame& f, const Image& radiance, double wall_z,
 
 TEST(IsrBorder, ReceivesTheFormFactorOfTheWiderView) {
     // Half an image more on each side: the wall is seen in x of [-4, 4], y of [0, 5].
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     auto [radiance, open] = f.run(
         {{"samples", "256"}, {"radius", "3"}, {"blur", "0"}, {"resolution", "full"}, {"border", "0.5"}});
     expect_floor(
@@ -42,7 +42,7 @@ Analytic wall_behind(glm::vec3 o, glm::vec3 ray) {
 }
 
 TEST(IsrCameras, ReceiveTheFormFactorOfAWallBehind) {
-    AnalyticFrame f(size, size, [](glm::vec3 o, glm::vec3 ray) {
+    IsrTestFrame f(size, size, [](glm::vec3 o, glm::vec3 ray) {
         Analytic a = wall_behind(o, ray);
         a.normal.z = -a.normal.z;
         return a;
@@ -56,7 +56,7 @@ TEST(IsrCameras, ReceiveTheFormFactorOfAWallBehind) {
 TEST(IsrCameras, CountNoSurfaceTwice) {
     // Frame, border and cameras together see an infinite wall, some of it in several of them: a point on the
     // floor sees it in half of its cosine-weighted hemisphere.
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     auto [radiance, open] = f.run({{"samples", "256"},
                                    {"radius", "3"},
                                    {"border", "0.25"},
@@ -104,7 +104,7 @@ Analytic floor_and_plate(glm::vec3 o, glm::vec3 ray) {
 }
 
 TEST(IsrLayers, HiddenWallSendsItsLight) {
-    AnalyticFrame f(size, size, floor_and_plate);
+    IsrTestFrame f(size, size, floor_and_plate);
     f.hidden = [](glm::vec3 o, glm::vec3 ray) {
         Analytic a = floor_and_wall(o, ray);
         return a.normal.z > 0 ? a : Analytic{};
@@ -127,7 +127,7 @@ Analytic small_corner(glm::vec3 o, glm::vec3 ray) {
 }
 
 TEST(IsrExtensions, ChangeNoBitWhereTheyHaveNothingToAdd) {
-    AnalyticFrame f(101, 76, small_corner);
+    IsrTestFrame f(101, 76, small_corner);
     auto [plain, open] = f.run({});
     EXPECT_GT(*std::max_element(plain.data.begin(), plain.data.end()), 0.05f);
     for (const char* name : {"border=0.3", "cameras=5", "layers=2", "samples_far=80", "temporal=8"}) {
@@ -140,7 +140,7 @@ TEST(IsrExtensions, ChangeNoBitWhereTheyHaveNothingToAdd) {
 }
 
 TEST(IsrExtensions, ReceiversBeyondFarTakeTheirOwnSamples) {
-    AnalyticFrame f(101, 76, floor_and_wall);
+    IsrTestFrame f(101, 76, floor_and_wall);
     Image many = f.run({{"blur", "0"}, {"resolution", "full"}, {"samples", "80"}}).first;
     Image few = f.run({{"blur", "0"}, {"resolution", "full"}, {"samples", "24"}}).first;
     Image both = f.run({{"blur", "0"}, {"resolution", "full"}, {"samples_far", "24"}, {"far", "1.5"}}).first;
@@ -159,7 +159,7 @@ TEST(IsrExtensions, ReceiversBeyondFarTakeTheirOwnSamples) {
 }
 
 TEST(IsrExtensions, CamerasAreForTheCalibratedModeOnly) {
-    AnalyticFrame f(16, 16, floor_and_wall);
+    IsrTestFrame f(16, 16, floor_and_wall);
     EXPECT_THROW(f.run({{"mode", "thesis"}, {"cameras", "1"}}), std::exception);
 }
 

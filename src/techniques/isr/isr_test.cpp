@@ -7,23 +7,23 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/isr/analytic_frame.h"
 #include "techniques/isr/gather.h"
+#include "techniques/isr/test_frame.h"
 
 namespace luxel {
 namespace {
 
 using testing::Analytic;
-using testing::AnalyticFrame;
 using testing::corner_form_factor;
 using testing::floor_and_wall;
+using testing::IsrTestFrame;
 using testing::mean_over_block;
 
 constexpr float pi = std::numbers::pi_v<float>;
 
 TEST(Isr, FloorBeforeALitWallReceivesItsFormFactor) {
     constexpr int size = 256;
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     auto [radiance, open] =
         f.run({{"samples", "256"}, {"radius", "2"}, {"blur", "0"}, {"resolution", "full"}});
     // The visible wall is the rectangle x in [-2, 2], y in [0, 3]; compare along the image's middle column.
@@ -37,7 +37,7 @@ TEST(Isr, FloorBeforeALitWallReceivesItsFormFactor) {
 
 TEST(Isr, HalfResolutionAgreesWithFull) {
     constexpr int size = 256;
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     auto [full, o1] = f.run({{"samples", "256"}, {"radius", "2"}, {"resolution", "full"}});
     auto [half, o2] = f.run({{"samples", "256"}, {"radius", "2"}, {"resolution", "half"}});
     for (int y : {205, 220, 240})
@@ -45,7 +45,7 @@ TEST(Isr, HalfResolutionAgreesWithFull) {
 }
 
 TEST(Isr, PlaneSendsNothingToItselfAndStaysOpen) {
-    AnalyticFrame f(128, 96, [](glm::vec3 o, glm::vec3 ray) -> Analytic {
+    IsrTestFrame f(128, 96, [](glm::vec3 o, glm::vec3 ray) -> Analytic {
         if (ray.y >= 0) return {};
         return {-o.y / ray.y, {0, 1, 0}, glm::vec3(0.8f), glm::vec3(1)};
     });
@@ -56,7 +56,7 @@ TEST(Isr, PlaneSendsNothingToItselfAndStaysOpen) {
 
 TEST(Isr, SecondBounceInACornerOfEqualWallsFollowsTheFirst) {
     // Both surfaces lit and reflecting: more bounces only add light, and less each time.
-    AnalyticFrame f(128, 128, [](glm::vec3 o, glm::vec3 ray) {
+    IsrTestFrame f(128, 128, [](glm::vec3 o, glm::vec3 ray) {
         Analytic a = floor_and_wall(o, ray);
         a.albedo = glm::vec3(0.5f), a.radiance = glm::vec3(1);
         return a;
@@ -82,14 +82,14 @@ TEST(Isr, IsLinearInTheLight) {
             return a;
         };
     };
-    AnalyticFrame one(64, 64, scaled(1)), ten(64, 64, scaled(10));
+    IsrTestFrame one(64, 64, scaled(1)), ten(64, 64, scaled(10));
     Image a = one.run({}).first, b = ten.run({}).first;
     for (std::size_t i = 0; i < a.data.size(); ++i)
         EXPECT_NEAR(b.data[i], 10 * a.data[i], 1e-4f + 1e-4f * b.data[i]);
 }
 
 TEST(Isr, ThesisModeDarkensDirectLightByOcclusion) {
-    AnalyticFrame f(128, 128, [](glm::vec3 o, glm::vec3 ray) {
+    IsrTestFrame f(128, 128, [](glm::vec3 o, glm::vec3 ray) {
         Analytic a = floor_and_wall(o, ray);
         a.albedo = glm::vec3(0.5f), a.radiance = glm::vec3(1);
         return a;

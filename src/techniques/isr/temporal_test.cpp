@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Accumulation over frames: less variance, no trace of what is no longer there beyond the stated bound.
-#include "techniques/isr/analytic_frame.h"
+#include "techniques/isr/test_frame.h"
 
 namespace luxel {
 namespace {
 
 using testing::Analytic;
-using testing::AnalyticFrame;
 using testing::floor_and_wall;
+using testing::IsrTestFrame;
 using testing::view_from;
 
 constexpr int size = 64;
@@ -19,7 +19,7 @@ Isr make(const std::string& frames, const std::string& samples = "8") {
     return isr;
 }
 
-Image last_of(AnalyticFrame& f, Isr& isr, int frames) {
+Image last_of(IsrTestFrame& f, Isr& isr, int frames) {
     Image image;
     for (int i = 0; i < frames; ++i) image = f.run(isr).first;
     return image;
@@ -41,7 +41,7 @@ Difference compare(const Image& image, const Image& truth) {
 }
 
 TEST(IsrTemporal, VarianceFallsWithTheFrames) {
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     Isr long_run = make("256"), sixteen = make("16"), single = make("1");
     Image truth = last_of(f, long_run, 256);
     double one = compare(f.run(single).first, truth).square;
@@ -51,7 +51,7 @@ TEST(IsrTemporal, VarianceFallsWithTheFrames) {
 }
 
 TEST(IsrTemporal, MovingCameraKeepsTheGainWithoutBias) {
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     Isr moving = make("16"), single = make("1"), long_run = make("256");
     Image image;
     for (int i = 0; i <= 20; ++i) {
@@ -67,7 +67,7 @@ TEST(IsrTemporal, MovingCameraKeepsTheGainWithoutBias) {
 TEST(IsrTemporal, LightThatIsGoneFadesByTheFramesOfTheMean) {
     // The bound: after k frames (1 - 1/n)^k of what was there.
     float radiance = 1;
-    AnalyticFrame f(size, size, [&](glm::vec3 o, glm::vec3 ray) {
+    IsrTestFrame f(size, size, [&](glm::vec3 o, glm::vec3 ray) {
         Analytic a = floor_and_wall(o, ray);
         a.radiance *= radiance;
         return a;
@@ -87,7 +87,7 @@ TEST(IsrTemporal, LightThatIsGoneFadesByTheFramesOfTheMean) {
 TEST(IsrTemporal, OtherSurfacesTakeNothingOver) {
     // The floor sinks by a fifth of its distance while the light goes out: nothing of the old floor is on it.
     float radiance = 1, sunk = 0;
-    AnalyticFrame f(size, size, [&](glm::vec3 o, glm::vec3 ray) {
+    IsrTestFrame f(size, size, [&](glm::vec3 o, glm::vec3 ray) {
         Analytic a = floor_and_wall(o + glm::vec3(0, sunk, 0), ray);
         a.radiance *= radiance;
         return a;
@@ -102,7 +102,7 @@ TEST(IsrTemporal, OtherSurfacesTakeNothingOver) {
 }
 
 TEST(IsrTemporal, AnotherSizeOrRendererBeginsAnew) {
-    AnalyticFrame f(size, size, floor_and_wall);
+    IsrTestFrame f(size, size, floor_and_wall);
     Isr isr = make("16"), fresh = make("16");
     Image first = f.run(fresh).first;
     last_of(f, isr, 8);

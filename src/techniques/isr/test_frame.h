@@ -35,7 +35,7 @@ inline Scene everywhere() {
     return s;
 }
 
-struct AnalyticFrame {
+struct IsrTestFrame {
     gpu::Gpu gpu{{.validation = true}};
     Scene bounds = everywhere();
     GpuScene on_gpu{gpu, bounds, false};
@@ -43,7 +43,7 @@ struct AnalyticFrame {
     AnalyticScene hidden = [](glm::vec3, glm::vec3) { return Analytic{}; }; // what captures peel out
     Frame frame;
 
-    AnalyticFrame(int width, int height, AnalyticScene s) : scene(std::move(s)) {
+    IsrTestFrame(int width, int height, AnalyticScene s) : scene(std::move(s)) {
         see(view_from(0, width, height));
         frame.capture = [this](gpu::Recorder&, const CaptureRequest& request) {
             return trace(request.farther_than ? hidden : scene, request.view);
