@@ -52,7 +52,11 @@ void run(const Options& o, const Global& global) {
                                    {"remarks", result.remarks}};
     for (const Statement& s : result.statements)
         json["statements"].push_back(
-            {{"subject", s.subject}, {"claim", s.claim}, {"measured", s.measured}, {"holds", s.holds}});
+            {{"subject", s.subject},
+             {"claim", s.claim},
+             {"measured", s.measured},
+             {"values", s.values},
+             {"holds", s.holds ? nlohmann::ordered_json(*s.holds) : nlohmann::ordered_json()}});
     print_json(json);
 }
 
@@ -74,13 +78,18 @@ void add_reproduce(CLI::App& app, const Global& global) {
     command->add_option("--spp", truth.spp, "Samples a pixel of the truth")
         ->check(CLI::Range(4, 1 << 20))
         ->capture_default_str();
+    command->add_option("--frames", o->settings.timed_frames, "Timed frames of each row, in turn")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
     command->add_option("--seed", truth.seed, "Of drawn views and of the truth")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_option("--device", o->settings.run.device,
                         "GPU by number or part of its name; see luxel devices");
     add_cache_options(*command, o->cache);
-    command->footer("Truths are stored, so that a run that was cut off goes on where it was.\n"
+    command->footer("The last column is the verdict on a sign or an order that the thesis claims; numbers "
+                    "alone have none.\n"
+                    "Truths are stored, so that a run that was cut off goes on where it was.\n"
                     "Example: luxel reproduce rohleder-2010\n"
                     "         luxel reproduce umenhoffer-2009 --chapter 4 --views-per-scene 4 --json");
     command->callback([o, &global] { run(*o, global); });

@@ -183,7 +183,9 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
     result.experiment = experiment;
     for (TechniqueRow& row : parse_uses(experiment.uses))
         result.rows.push_back({std::move(row.label), std::move(row.name), std::move(row.parameters)});
-    gpu::Gpu gpu({.device = options.device});
+    std::optional<gpu::Gpu> own;
+    if (!options.gpu) own.emplace(gpu::GpuOptions{.device = options.device});
+    gpu::Gpu& gpu = options.gpu ? *options.gpu : *own;
     result.device = gpu.device();
 
     const Journal journal(options.journal);

@@ -7,6 +7,7 @@ namespace luxel {
 
 struct RunOptions {
     std::string device;
+    gpu::Gpu* gpu = nullptr;       // of several runs, which share its pipelines; null: one of the run's own
     std::filesystem::path cache;   // of truths; empty = none
     std::filesystem::path journal; // folder of finished views; empty = none
     bool quiet = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The statements of a thesis beside what is measured here.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,9 @@ namespace luxel {
 
 struct Statement {
     std::string subject, claim, measured;
-    bool holds = false; // of the direction that is claimed, not of the number
+    std::vector<double> values; // the numbers in `measured`; empty: not measurable
+    std::optional<bool> holds;  // of the sign or the order that is claimed; none: it claims a number alone,
+                                // or the measurement decides nothing
 };
 
 struct Reproduction {
@@ -24,8 +27,9 @@ struct ReproduceSettings {
     std::vector<std::string> scenes; // empty: built-in ones
     int views_per_scene = 2;
     int width = 192, height = 144;
-    TruthSettings truth; // samples and seed; the rest is set here
-    RunOptions run;      // device, cache, quiet
+    int timed_frames = 5; // the rows take turns; fewer than 3 have no median to speak of
+    TruthSettings truth;  // samples and seed; the rest is set here
+    RunOptions run;       // device, cache, quiet
     bool strict = false;
 };
 

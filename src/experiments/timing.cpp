@@ -14,6 +14,13 @@ double median(std::vector<double> values) {
     return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+std::optional<double> time_in_scope(const std::vector<gpu::PassTime>& passes, std::string_view scope) {
+    double sum = 0;
+    for (const gpu::PassTime& pass : passes)
+        if (pass.name.starts_with(fmt::format("{}: ", scope))) sum += pass.ms;
+    return sum > 0 ? std::optional(sum) : std::nullopt;
+}
+
 FrameTime median_time(const std::vector<std::vector<gpu::PassTime>>& frames) {
     FrameTime time;
     std::vector<double> sums;
