@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/process.h"
 #include "support/luxel_process.h"
 
 namespace luxel::testing {
@@ -163,6 +164,54 @@ TEST_F(ExperimentTest, TruthsGoAheadAndTimeRunsOut) {
     ASSERT_EQ(json.at("summary").size(), 6u); // two techniques over two groups and all
     EXPECT_EQ(json.at("summary")[4].at("group"), "all");
     EXPECT_EQ(json.at("summary")[4].at("views"), 6);
+}
+
+constexpr const char* judged_experiment = R"toml(
+size = "48x36"
+frames = 1
+pictures = "none"
+[truth]
+judge = "povray"
+[[technique]]
+use = "isr"
+[[scene]]
+source = "builtin:cornell"
+)toml";
+
+TEST_F(ExperimentTest, PovrayJudgesInPlaceOfTheReference) {
+    if (!is_installed("povray")) GTEST_SKIP() << "no povray on this machine";
+    write(judged_experiment);
+    const ProcessResult ahead = run("a", {"--only-truth", "--json"});
+    ASSERT_EQ(ahead.code, 0) << ahead.error;
+    EXPECT_EQ(nlohmann::json::parse(ahead.out).at("rendered"), 1);
+    const ProcessResult result = run("a", {"--json"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const nlohmann::json json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json.at("judge"), "povray");
+    const nlohmann::json& view = json.at("scenes")[0].at("views")[0];
+    EXPECT_TRUE(view.at("reference").at("cached"));
+    EXPECT_GT(view.at("techniques")[0].at("delta"), 0.0);
+
+    // Another judge is another truth, but of the same light: the figures are close and not the same.
+    write(std::regex_replace(std::string(judged_experiment), std::regex("judge = \"povray\""), "spp = 64"));
+    const ProcessResult traced = run("a", {"--json"});
+    ASSERT_EQ(traced.code, 0) << traced.error;
+    const double povray = view.at("techniques")[1].at("delta"),
+                 reference = nlohmann::json::parse(traced.out).at("mean")[1].at("delta");
+    EXPECT_NE(povray, reference);
+    EXPECT_NEAR(povray, reference, 0.02);
+}
+
+TEST_F(ExperimentTest, WithoutPovrayItsJudgmentEndsInOneSentence) {
+    write(judged_experiment);
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    const ProcessResult result = run("a");
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(result.code, 3) << result.error;
+    EXPECT_EQ(result.error_lines(), 1u) << result.error;
+    EXPECT_NE(result.error.find("povray: not installed"), std::string::npos) << result.error;
+    EXPECT_EQ(result.out, "");
 }
 
 TEST_F(ExperimentTest, AMistakeEndsItBeforeAnyWork) {

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "experiments/components.h"
+#include "experiments/judge.h"
 #include "experiments/timing.h"
 #include "scene/lights.h"
 
@@ -106,12 +107,12 @@ ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const 
     ViewResult view;
     view.camera = task.camera;
     view.width = task.width, view.height = task.height;
-    const Truth found = find_truth(stage.rays, reference_request(truth, task), stage.cache, view.warnings);
+    const Truth found = judge_view(stage.rays, truth, task, stage.cache, view.warnings);
     view.reference_spp = found.spp;
     view.reference_seconds = found.seconds;
     view.reference_cached = found.cached;
 
-    const Target target = make_target(found, truth.components, frames[0].last.mask);
+    const Target target = make_target(found, judged_layers(truth), frames[0].last.mask);
     view.exposure = target.exposure;
     view.noise = target.noise;
     std::vector<Candidate> candidates;

@@ -14,6 +14,8 @@
 
 namespace luxel {
 
+enum class Judge { reference, povray };
+
 // What the truth of a view is.
 struct TruthSettings {
     std::vector<std::string> components = {"direct", "diffuse1"}; // their sum, or "ao" alone
@@ -22,6 +24,7 @@ struct TruthSettings {
     int spp = 64;
     int seed = 1;
     bool true_environment = false; // the reference keeps the environment where the frame samples it as lights
+    Judge judge = Judge::reference; // povray: of "direct" and "direct+diffuse1" alone; spp does not matter
 };
 
 // One view to evaluate.

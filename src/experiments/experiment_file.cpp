@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "experiments/components.h"
+#include "experiments/judge.h"
 #include "scene/camera_file.h"
 #include "scene/printable.h"
 #include "scene/scene_file_section.h"
@@ -136,11 +137,23 @@ std::vector<std::string> read_technique(Section& section) {
     return uses;
 }
 
+void set_judge(Section& section, TruthSettings& truth) {
+    const std::string judge = section.text("judge").value_or("reference");
+    if (judge == "reference") return;
+    if (judge != "povray") section.reject("judge", "\"judge\" must be \"reference\" or \"povray\"");
+    truth.judge = Judge::povray;
+    if (!povray_judges(truth.components))
+        section.reject("judge", "the judge \"povray\" renders the components \"direct\" and "
+                                "\"direct+diffuse1\" alone");
+    if (section.has("spp")) section.reject("spp", "\"spp\" is of the judge \"reference\"");
+}
+
 TruthSettings read_truth(Section& section, int seed) {
     TruthSettings truth;
     truth.seed = seed;
     if (const auto text = section.text("component"))
         truth.components = at_key(section, "component", [&] { return parse_components(*text); });
+    set_judge(section, truth);
     truth.spp = section.integer("spp", 4, 1 << 20).value_or(truth.spp);
 
     ReferenceSettings reference;

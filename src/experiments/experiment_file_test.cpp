@@ -50,6 +50,7 @@ TEST(ExperimentFile, TheDocumentedExampleSaysWhatItsCommentsSay) {
                                         "isr:mode=thesis,samples=24", "isr:mode=thesis,samples=80",
                                         "isr:resolution=full"}));
     EXPECT_EQ(e.truth.spp, 64);
+    EXPECT_EQ(e.truth.judge, Judge::reference);
     ASSERT_EQ(e.scenes.size(), 2u);
 
     const SceneEntry& cornell = e.scenes[0];
@@ -93,6 +94,9 @@ TEST(ExperimentFile, AMistakeIsNamedWithItsLine) {
     expect(scene + "[[scene.views]]\nsize = \"12\"\n", "WIDTHxHEIGHT");
     expect("frames = 0\n" + scene, "line 1: \"frames\" is 0, not within");
     expect("[truth]\nao_radius = 2.0\n" + scene, "is of the component \"ao\"");
+    expect("[truth]\njudge = \"mine\"\n" + scene, "line 2: truth: \"judge\" must be \"reference\" or");
+    expect("[truth]\njudge = \"povray\"\ncomponent = \"full\"\n" + scene, "renders the components");
+    expect("[truth]\njudge = \"povray\"\nspp = 8\n" + scene, "\"spp\" is of the judge");
     expect("name = \"empty\"\n", "there is no [[scene]]");
 }
 

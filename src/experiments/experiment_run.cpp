@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "experiments/journal.h"
+#include "experiments/judge.h"
 #include "experiments/memory_budget.h"
 
 namespace luxel {
@@ -179,6 +180,7 @@ void add_means(ExperimentResult& result) {
 ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& options) {
     // The device first: a machine without one should say so before minutes of path tracing.
     require_memory_for(experiment);
+    require_judge(experiment.truth);
     ExperimentResult result;
     result.experiment = experiment;
     for (TechniqueRow& row : parse_uses(experiment.uses))
@@ -203,6 +205,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
 
 TruthCount render_truths(const Experiment& experiment, const RunOptions& options) {
     require_memory_for(experiment);
+    require_judge(experiment.truth);
     parse_uses(experiment.uses);
     TruthCount count;
     Work work(experiment, options);
@@ -217,8 +220,7 @@ TruthCount render_truths(const Experiment& experiment, const RunOptions& options
                 work.skip(task), ++count.missing;
                 continue;
             }
-            const Truth truth =
-                find_truth(rays, reference_request(experiment.truth, task), options.cache, warnings);
+            const Truth truth = judge_view(rays, experiment.truth, task, options.cache, warnings);
             ++(truth.cached ? count.cached : count.rendered);
             truth.cached ? work.skip(task) : work.done(task);
         }

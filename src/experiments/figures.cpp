@@ -59,8 +59,10 @@ Target make_target(const Truth& truth, const std::vector<std::string>& component
     target.shown = shown_of(target.radiance, target.exposure);
 
     // Fewer samples: each group alone, and each pair of groups.
-    for (const Layers& group : truth.group)
+    for (const Layers& group : truth.group) {
+        if (group.empty()) return target;
         target.quarters.push_back(make_candidate(target, sum_of(group, components)));
+    }
     for (std::size_t i = 0; i < target.quarters.size(); ++i)
         for (std::size_t j = i + 1; j < target.quarters.size(); ++j)
             target.halves.push_back(

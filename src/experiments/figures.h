@@ -39,7 +39,7 @@ struct Target {
     double noise = 0; // of single pixels: delta between two halves of the samples, halved
 };
 
-// mask: 1 where both the truth and the frame see a surface.
+// mask: 1 where both the truth and the frame see a surface. A truth without groups has no noise.
 Target make_target(const Truth& truth, const std::vector<std::string>& components, const Image& frame_mask);
 
 Candidate make_candidate(const Target& target, Image radiance);

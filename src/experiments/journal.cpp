@@ -36,7 +36,8 @@ void add(ContentKey& key, const ViewTask& task) {
 void add(ContentKey& key, const TruthSettings& truth) {
     for (const std::string& component : truth.components) key.add(std::string_view(component));
     key.add(truth.ao_radius);
-    for (int value : {int(truth.ao_membership), truth.spp, truth.seed, int(truth.true_environment)})
+    for (int value :
+         {int(truth.ao_membership), truth.spp, truth.seed, int(truth.true_environment), int(truth.judge)})
         key.add(value);
 }
 

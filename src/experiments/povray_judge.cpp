@@ -36,10 +36,14 @@ private:
 
 bool povray_installed() { return is_installed("povray"); }
 
-Image povray_radiance(const Scene& scene, const Camera& camera, int width, int height,
-                      const PovraySettings& settings, std::chrono::seconds limit) {
+void require_povray() {
     if (!povray_installed())
         fail(Fault::unsupported, "povray: not installed; the judge needs POV-Ray 3.7 with OpenEXR");
+}
+
+Image povray_radiance(const Scene& scene, const Camera& camera, int width, int height,
+                      const PovraySettings& settings, std::chrono::seconds limit) {
+    require_povray();
     const WorkFolder folder;
     write_povray(folder.path() / "scene.pov", scene, camera, width, height, settings);
 

@@ -9,6 +9,7 @@
 namespace luxel {
 
 bool povray_installed();
+void require_povray(); // error Fault::unsupported where it is not
 
 // Radiance at pixel centers, direct light and, with settings.radiosity, one diffuse bounce; pixels without a
 // surface hold the sky. Works in a temporary folder. Errors: Fault::unsupported (not installed),

@@ -127,7 +127,22 @@ void store_truth(const std::filesystem::path& file, const std::string& key, cons
 
 Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const std::filesystem::path& folder,
                  std::vector<std::string>& warnings) {
-    const std::string key = reference_key(rays.scene(), request);
+    return find_truth(reference_key(rays.scene(), request), folder, warnings, [&] {
+        const auto start = std::chrono::steady_clock::now();
+        Estimate estimate = render_reference(rays, request);
+        warnings.insert(warnings.end(), estimate.warnings.begin(), estimate.warnings.end());
+        Truth truth;
+        truth.spp = estimate.spp;
+        truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        truth.mean = std::move(estimate.mean);
+        truth.group = std::move(estimate.group);
+        truth.mask = std::move(estimate.mask);
+        return truth;
+    });
+}
+
+Truth find_truth(const std::string& key, const std::filesystem::path& folder,
+                 std::vector<std::string>& warnings, const std::function<Truth()>& render) {
     const std::filesystem::path file = folder / (key + ".reference");
     if (!folder.empty()) {
         std::optional<Truth> found = load_truth(file, key, warnings);
@@ -137,16 +152,7 @@ Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const s
         }
     }
 
-    const auto start = std::chrono::steady_clock::now();
-    Estimate estimate = render_reference(rays, request);
-    warnings.insert(warnings.end(), estimate.warnings.begin(), estimate.warnings.end());
-    Truth truth;
-    truth.spp = estimate.spp;
-    truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    truth.mean = std::move(estimate.mean);
-    truth.group = std::move(estimate.group);
-    truth.mask = std::move(estimate.mask);
-
+    const Truth truth = render();
     // The images are at hand whether or not they can be kept.
     if (folder.empty()) return truth;
     std::error_code error;

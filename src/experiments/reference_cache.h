@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,5 +38,9 @@ void store_truth(const std::filesystem::path& file, const std::string& key, cons
 // Rendered, or found in `folder` (empty: no cache). A cache that cannot be written is a warning.
 Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const std::filesystem::path& folder,
                  std::vector<std::string>& warnings);
+
+// The same for any renderer: `key` says all that its image depends on.
+Truth find_truth(const std::string& key, const std::filesystem::path& folder,
+                 std::vector<std::string>& warnings, const std::function<Truth()>& render);
 
 } // namespace luxel

@@ -109,8 +109,9 @@ function conventions() {
   const warnings = unique(results.scenes.flatMap(scene => scene.warnings));
   return make("dl", {}, ...entry(results.scenes.length > 1 ? "Scenes" : "Scene", ...perScene(scene => scene.source +
       (scene.environment ? ` under ${scene.environment} x ${scene.environment_scale}` : ""))),
-    ...entry("Truth", `path traced on the CPU at pixel centers; light paths ` +
-      `${results.component.replaceAll("+", " + ")}; ${results.spp} samples a pixel, seed ${results.seed}`),
+    ...entry("Truth", `${results.judge === "povray" ? "POV-Ray's picture" : "path traced on the CPU"} at pixel centers; light ` +
+      `paths ${results.component.replaceAll("+", " + ")}` + (results.judge === "povray" ? "; its noise is not known" :
+      `; ${results.spp} samples a pixel, seed ${results.seed}`)),
     ...(results.ao ? entry("Accessibility", "1 = open; its nearest occluder within " + results.ao.radius + " m counts by " +
       `membership ${results.ao.membership}; every figure is of linear values in [0, 1]; the baseline is open everywhere`) : [
     ...entry("Display values", "delta, gain, rho, improved, PSNR, SSIM and FLIP: one exposure per view (98th percentile of the " +

@@ -153,6 +153,7 @@ Json to_json(const ExperimentResult& result) {
                  {"seed", e.truth.seed},
                  {"component", fmt::format("{}", fmt::join(e.truth.components, "+"))},
                  {"ao", ao_of(e.truth)},
+                 {"judge", e.truth.judge == Judge::povray ? "povray" : "reference"},
                  {"reference_lights", e.truth.true_environment ? "true" : "same"},
                  {"timed_frames", e.timed_frames},
                  {"device",

@@ -88,9 +88,12 @@ std::string format_result(const ExperimentResult& result, bool verbose) {
                                rows_table(result, view.rows));
             hidden |= any_hidden(view.rows);
         }
-    out += fmt::format("Mean over {} view{} against {} ({} spp, reference noise {:.5f} of delta)\n", views,
-                       views == 1 ? "" : "s", fmt::join(e.truth.components, " + "), e.truth.spp,
-                       result.mean_noise);
+    const std::string judge =
+        e.truth.judge == Judge::povray
+            ? "POV-Ray"
+            : fmt::format("{} spp, reference noise {:.5f} of delta", e.truth.spp, result.mean_noise);
+    out += fmt::format("Mean over {} view{} against {} ({})\n", views, views == 1 ? "" : "s",
+                       fmt::join(e.truth.components, " + "), judge);
     out += rows_table(result, result.mean);
     if (hidden)
         out += "+- standard error of the gain by the reference's noise; ~ not claimed: the gain is below "
