@@ -6,6 +6,7 @@
 
 #include <fmt/ranges.h>
 
+#include "experiments/statistics.h"
 #include "experiments/timing.h"
 
 namespace luxel {
@@ -47,18 +48,6 @@ std::vector<ViewResult> run(const ReproduceSettings& settings, gpu::Gpu& gpu,
     return views;
 }
 
-template <class Value> std::vector<double> over(const std::vector<ViewResult>& views, Value&& value) {
-    std::vector<double> values;
-    for (const ViewResult& view : views) values.push_back(value(view));
-    return values;
-}
-
-double mean(const std::vector<double>& values) {
-    double sum = 0;
-    for (double v : values) sum += v;
-    return sum / double(values.size());
-}
-
 // None where a view has none.
 template <class Value>
 std::optional<std::vector<double>> over_all(const std::vector<ViewResult>& views, Value&& value) {
@@ -80,30 +69,25 @@ std::string setting(const std::vector<ViewResult>& views, const std::vector<std:
 // The thesis's statements on light for one row; each names the mode.
 void add_radiosity(Reproduction& out, const std::vector<ViewResult>& views, std::size_t row,
                    const std::string& mode) {
-    const auto figures = [&](const ViewResult& v) -> const Figures& { return v.rows[row].figures; };
-    const auto gains = over(views, [&](const ViewResult& v) { return figures(v).gain; });
-    const double positive =
-        100.0 * mean(over(views, [&](const ViewResult& v) { return figures(v).gain > 0 ? 1.0 : 0.0; }));
-    const double before = mean(over(views, [](const ViewResult& v) { return v.rows[0].figures.rho; }));
-    const double after = mean(over(views, [&](const ViewResult& v) { return figures(v).rho; }));
-    const double improved =
-        100.0 * mean(over(views, [&](const ViewResult& v) { return figures(v).improved; }));
-
+    std::vector<const ViewResult*> all;
+    for (const ViewResult& view : views) all.push_back(&view);
+    const Summary summary = summarize(all, row);
     const auto percent = [&](const char* subject, const char* claim, double value,
                              std::optional<bool> holds) {
         out.statements.push_back(
             {mode + ": " + subject, claim, fmt::format("{:.2f} %", value), {value}, holds});
     };
-    percent("views with positive gain", "100 %", positive,
-            std::all_of(gains.begin(), gains.end(), [](double gain) { return gain > 0; }));
-    percent("gain, mean", "5.88 %", mean(gains), mean(gains) > 0);
-    percent("gain, median", "7.18 %", median(gains), median(gains) > 0);
+    percent("views with positive gain", "100 %", 100.0 * summary.positive,
+            std::all_of(views.begin(), views.end(),
+                        [&](const ViewResult& v) { return v.rows[row].figures.gain > 0; }));
+    percent("gain, mean", "5.88 %", summary.mean_gain, summary.mean_gain > 0);
+    percent("gain, median", "7.18 %", summary.median_gain, summary.median_gain > 0);
     out.statements.push_back({mode + ": rho before -> after",
                               ".8867 -> .8870",
-                              fmt::format("{:.4f} -> {:.4f}", before, after),
-                              {before, after},
-                              after > before});
-    percent("pixels improved", "99.05 %", improved, std::nullopt);
+                              fmt::format("{:.4f} -> {:.4f}", summary.rho_before, summary.rho_after),
+                              {summary.rho_before, summary.rho_after},
+                              summary.rho_after > summary.rho_before});
+    percent("pixels improved", "99.05 %", 100.0 * summary.improved, std::nullopt);
 }
 
 // Numbers of another machine: none of them is an order.
@@ -148,7 +132,9 @@ std::vector<std::string> occlusion_uses(float radius, const char* containment_me
 }
 
 double mean_delta(const std::vector<ViewResult>& views, std::size_t row) {
-    return mean(over(views, [&](const ViewResult& v) { return v.rows[row].figures.delta; }));
+    double mean = 0;
+    for (const ViewResult& view : views) mean += view.rows[row].figures.delta / double(views.size());
+    return mean;
 }
 
 void add_order_of(Reproduction& out, const std::string& subject, double first, double second) {
