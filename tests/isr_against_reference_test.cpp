@@ -3,46 +3,22 @@
 // light elsewhere.
 #include <gtest/gtest.h>
 
-#include "core/metrics.h"
-#include "reference/reference.h"
 #include "scene/procedural.h"
-#include "techniques/frame/renderer.h"
+#include "support/reference_pictures.h"
 
 namespace luxel {
 namespace {
 
-struct Pictures {
-    Image direct, isr, mask;
-    Estimate reference;
-};
+using namespace testing;
 
 Pictures render(const Scene& scene, int size, int spp, const std::string& technique,
                 const std::string& component = "diffuse1") {
-    gpu::Gpu gpu({.validation = true});
-    FrameOptions options;
-    options.shadow = ShadowMode::hard;
-    Renderer renderer(gpu, scene, options);
-    std::unique_ptr<Technique> isr = make_technique(parse_specification(technique));
-    RenderRequest request{.camera = scene.cameras.front(), .width = size, .height = size};
-    Pictures p;
-    p.direct = renderer.render(request).radiance;
-    request.techniques = {isr.get()};
-    RenderResult result = renderer.render(request);
-    p.isr = result.radiance, p.mask = result.mask;
-    EXPECT_TRUE(gpu.validation_messages().empty());
-    RayCaster rays(scene);
-    ReferenceRequest truth{
-        .components = {"direct", component}, .width = size, .height = size, .camera = scene.cameras.front()};
-    truth.settings.spp = spp;
-    truth.settings.pixel_center = true;
-    p.reference = render_reference(rays, truth);
-    return p;
-}
-
-Image sum(const Image& a, const Image& b) {
-    Image c = a;
-    for (std::size_t i = 0; i < c.data.size(); ++i) c.data[i] += b.data[i];
-    return c;
+    const PictureSetup setup = {.width = size,
+                                .height = size,
+                                .spp = spp,
+                                .environment = FrameOptions{}.environment,
+                                .components = {"direct", component}};
+    return render_pictures(scene, setup, technique);
 }
 
 // Three perpendicular quads seen along their diagonal under a point light: nothing is hidden, nothing leaves
@@ -73,29 +49,12 @@ Scene corner() {
 
 TEST(IsrAgainstReference, EqualsOneDiffuseBounceWhereAllIsVisible) {
     Scene scene = corner();
-    Pictures p = render(scene, 192, 512, "isr:samples=256,radius=2,resolution=full");
-    double bounce = 0, truth = 0, squares = 0, pixels = 0;
-    const Image& diffuse1 = p.reference.mean.at("diffuse1");
-    for (int y = 0; y < 192; ++y)
-        for (int x = 0; x < 192; ++x) {
-            if (*p.mask.at(x, y) <= 0 || *p.reference.mask.at(x, y) <= 0) continue;
-            float b = luminance(p.isr.rgb(x, y) - p.direct.rgb(x, y)), t = luminance(diffuse1.rgb(x, y));
-            bounce += b, truth += t, squares += double(b - t) * double(b - t), ++pixels;
-        }
-    EXPECT_NEAR(bounce / truth, 1.0, 0.02);
-    EXPECT_LT(std::sqrt(squares / pixels) / (truth / pixels), 0.08);
+    expect_one_diffuse_bounce(render(scene, 192, 512, "isr:samples=256,radius=2,resolution=full"));
 }
 
 TEST(IsrAgainstReference, IsCloserThanDirectLight) {
-    for (const Scene& scene : {cornell(), shapes(ShapesLight::point), sphere_in_box()}) {
-        Pictures p = render(scene, 160, 256, "isr");
-        Image truth = sum(p.reference.mean.at("direct"), p.reference.mean.at("diffuse1"));
-        float exposure = exposure_of(truth, p.reference.mask);
-        Image shown = display(truth, exposure);
-        double direct = mean_error(shown, display(p.direct, exposure), p.reference.mask);
-        double with_isr = mean_error(shown, display(p.isr, exposure), p.reference.mask);
-        EXPECT_GT(gain(direct, with_isr), 0.0) << scene.name;
-    }
+    for (const Scene& scene : {cornell(), shapes(ShapesLight::point), sphere_in_box()})
+        EXPECT_GT(gain_of(render(scene, 160, 256, "isr")), 0.0) << scene.name;
 }
 
 // Mean absolute error of the radiance that a technique adds, relative to the mean of what it should add; over
@@ -111,7 +70,7 @@ double bounce_error(const Scene& scene, const std::string& technique, const std:
             for (int i = 0; i < block * block; ++i) {
                 int u = x + i % block, v = y + i / block;
                 if (*p.mask.at(u, v) <= 0 || *p.reference.mask.at(u, v) <= 0) continue;
-                found += double(luminance(p.isr.rgb(u, v) - p.direct.rgb(u, v)));
+                found += double(luminance(p.image.rgb(u, v) - p.direct.rgb(u, v)));
                 expected += double(luminance(mean.rgb(u, v)));
             }
             error += std::abs(found - expected), truth += expected;

@@ -4,66 +4,20 @@
 // environment is not counted twice.
 #include <gtest/gtest.h>
 
-#include "core/metrics.h"
-#include "reference/reference.h"
 #include "scene/lights.h"
 #include "scene/load.h"
 #include "scene/procedural.h"
 #include "support/data.h"
-#include "techniques/frame/renderer.h"
+#include "support/reference_pictures.h"
 
 namespace luxel {
 namespace {
 
-struct Setup {
-    int width = 160, height = 160, spp = 128;
-    EnvironmentMode environment = EnvironmentMode::none;
-    std::vector<std::string> components = {"direct", "diffuse1"};
-};
+using namespace testing;
 
-struct Pictures {
-    Image direct, ssdo, mask;
-    Estimate reference;
-};
-
-Pictures render(const Scene& scene, const Setup& setup, const std::string& use) {
-    gpu::Gpu gpu({.validation = true});
-    FrameOptions options;
-    options.shadow = ShadowMode::hard;
-    options.emitter_lights = 16;
-    options.environment = setup.environment;
-    Renderer renderer(gpu, scene, options);
-    std::unique_ptr<Technique> ssdo = make_technique(parse_specification(use));
-    RenderRequest request{.camera = scene.cameras.front(), .width = setup.width, .height = setup.height};
-    Pictures p;
-    p.direct = renderer.render(request).radiance;
-    request.techniques = {ssdo.get()};
-    RenderResult result = renderer.render(request);
-    p.ssdo = result.radiance, p.mask = result.mask;
-    EXPECT_TRUE(gpu.validation_messages().empty());
-    RayCaster rays(scene);
-    ReferenceRequest truth{.components = setup.components,
-                           .width = setup.width,
-                           .height = setup.height,
-                           .camera = scene.cameras.front()};
-    truth.settings.spp = setup.spp;
-    truth.settings.pixel_center = true;
-    p.reference = render_reference(rays, truth);
-    return p;
-}
-
-Image sum_of(const Pictures& p) {
-    Image c = p.reference.mean.at("direct");
-    for (std::size_t i = 0; i < c.data.size(); ++i) c.data[i] += p.reference.mean.at("diffuse1").data[i];
-    return c;
-}
-
-double gain_of(const Pictures& p) {
-    Image truth = sum_of(p);
-    float exposure = exposure_of(truth, p.reference.mask);
-    Image shown = display(truth, exposure);
-    return gain(mean_error(shown, display(p.direct, exposure), p.reference.mask),
-                mean_error(shown, display(p.ssdo, exposure), p.reference.mask));
+Pictures render(const Scene& scene, PictureSetup setup, const std::string& use) {
+    setup.emitter_lights = 16;
+    return render_pictures(scene, setup, use);
 }
 
 // A floor and a wall under a point light: nothing is hidden but the far ends.
@@ -92,18 +46,8 @@ Scene floor_and_wall() {
 }
 
 TEST(SsdoAgainstReference, EqualsOneDiffuseBounceWhereAllIsVisible) {
-    Pictures p = render(floor_and_wall(), {.spp = 512},
-                        "ssdo:samples=64,steps=24,radius=4,resolution=full,thickness=0");
-    double bounce = 0, truth = 0, squares = 0, pixels = 0;
-    const Image& diffuse1 = p.reference.mean.at("diffuse1");
-    for (int y = 0; y < p.mask.height; ++y)
-        for (int x = 0; x < p.mask.width; ++x) {
-            if (*p.mask.at(x, y) <= 0 || *p.reference.mask.at(x, y) <= 0) continue;
-            float b = luminance(p.ssdo.rgb(x, y) - p.direct.rgb(x, y)), t = luminance(diffuse1.rgb(x, y));
-            bounce += double(b), truth += double(t), squares += double(b - t) * double(b - t), ++pixels;
-        }
-    EXPECT_NEAR(bounce / truth, 1.0, 0.02);
-    EXPECT_LT(std::sqrt(squares / pixels) / (truth / pixels), 0.08);
+    expect_one_diffuse_bounce(render(floor_and_wall(), {.spp = 512},
+                                     "ssdo:samples=64,steps=24,radius=4,resolution=full,thickness=0"));
 }
 
 TEST(SsdoAgainstReference, IsCloserThanDirectLight) {
@@ -130,7 +74,7 @@ TEST(SsdoAgainstReference, HidesTheSkyByDirection) {
             if (*p.mask.at(x, y) <= 0 || *p.reference.mask.at(x, y) <= 0) continue;
             float truth = luminance(p.reference.mean.at("direct").rgb(x, y));
             without += double(std::abs(luminance(p.direct.rgb(x, y)) - truth));
-            with += double(std::abs(luminance(p.ssdo.rgb(x, y)) - truth));
+            with += double(std::abs(luminance(p.image.rgb(x, y)) - truth));
         }
     EXPECT_LT(with, 0.5 * without);
 }
