@@ -12,12 +12,6 @@
 namespace luxel {
 namespace {
 
-// A point of the outline that is revolved about the y axis, with the outline's normal there.
-struct OutlinePoint {
-    float radius, height;
-    float normal_radial, normal_y;
-};
-
 std::uint32_t add_vertex(Mesh& mesh, glm::vec3 position, glm::vec3 normal, glm::vec2 uv) {
     mesh.positions.push_back(position);
     mesh.normals.push_back(normal);
@@ -27,34 +21,6 @@ std::uint32_t add_vertex(Mesh& mesh, glm::vec3 position, glm::vec3 normal, glm::
 
 void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
-
-// Revolves one smooth piece of outline about the vertical axis through `base`. The outline is walked with the
-// outside on its right (bottom to top on an outer side), which makes the front face outward.
-void revolve(Mesh& mesh, glm::vec3 base, const std::vector<OutlinePoint>& outline, int slices) {
-    const auto rows = std::uint32_t(outline.size());
-    const auto first = std::uint32_t(mesh.positions.size());
-
-    // One column of vertices per slice boundary; the seam is doubled so that texture coordinates do not wrap.
-    for (int i = 0; i <= slices; ++i) {
-        const float phi = 2.0f * shared::PI * float(i % slices) / float(slices);
-        const float x = std::cos(phi), z = -std::sin(phi);
-        for (std::uint32_t j = 0; j < rows; ++j) {
-            const OutlinePoint& p = outline[j];
-            add_vertex(mesh, base + glm::vec3(x * p.radius, p.height, z * p.radius),
-                       {x * p.normal_radial, p.normal_y, z * p.normal_radial},
-                       {float(i) / float(slices), float(j) / float(rows - 1)});
-        }
-    }
-
-    // Two triangles per cell; on the axis one of them would have no area.
-    for (std::uint32_t i = 0; i < std::uint32_t(slices); ++i) {
-        for (std::uint32_t j = 0; j + 1 < rows; ++j) {
-            const std::uint32_t a = first + i * rows + j, b = a + rows;
-            if (outline[j].radius > 0.0f) add_triangle(mesh, a, b, b + 1);
-            if (outline[j + 1].radius > 0.0f) add_triangle(mesh, a, b + 1, a + 1);
-        }
-    }
 }
 
 template <class T> void append_mean(std::vector<T>& values, std::uint32_t a, std::uint32_t b) {
@@ -141,6 +107,32 @@ void add_box(Mesh& mesh, glm::vec3 least, glm::vec3 most) {
     add_quad(mesh, least + z, x, y); // +z
 }
 
+void add_revolved(Mesh& mesh, glm::vec3 base, const std::vector<OutlinePoint>& outline, int slices) {
+    const auto rows = std::uint32_t(outline.size());
+    const auto first = std::uint32_t(mesh.positions.size());
+
+    // One column of vertices per slice boundary; the seam is doubled so that texture coordinates do not wrap.
+    for (int i = 0; i <= slices; ++i) {
+        const float phi = 2.0f * shared::PI * float(i % slices) / float(slices);
+        const float x = std::cos(phi), z = -std::sin(phi);
+        for (std::uint32_t j = 0; j < rows; ++j) {
+            const OutlinePoint& p = outline[j];
+            add_vertex(mesh, base + glm::vec3(x * p.radius, p.height, z * p.radius),
+                       {x * p.normal_radial, p.normal_y, z * p.normal_radial},
+                       {float(i) / float(slices), float(j) / float(rows - 1)});
+        }
+    }
+
+    // Two triangles per cell; on the axis one of them would have no area.
+    for (std::uint32_t i = 0; i < std::uint32_t(slices); ++i) {
+        for (std::uint32_t j = 0; j + 1 < rows; ++j) {
+            const std::uint32_t a = first + i * rows + j, b = a + rows;
+            if (outline[j].radius > 0.0f) add_triangle(mesh, a, b, b + 1);
+            if (outline[j + 1].radius > 0.0f) add_triangle(mesh, a, b + 1, a + 1);
+        }
+    }
+}
+
 void add_sphere(Mesh& mesh, glm::vec3 center, float radius, int slices, int stacks) {
     LUXEL_ASSERT(slices >= 3 && stacks >= 2, "slices={} stacks={}", slices, stacks);
     std::vector<OutlinePoint> outline;
@@ -149,22 +141,22 @@ void add_sphere(Mesh& mesh, glm::vec3 center, float radius, int slices, int stac
         const float s = j == 0 || j == stacks ? 0.0f : std::sin(theta), c = -std::cos(theta);
         outline.push_back({radius * s, radius * c, s, c});
     }
-    revolve(mesh, center, outline, slices);
+    add_revolved(mesh, center, outline, slices);
 }
 
 void add_cylinder(Mesh& mesh, glm::vec3 base, float radius, float height, int slices) {
     LUXEL_ASSERT(slices >= 3, "slices={}", slices);
-    revolve(mesh, base, {{0, 0, 0, -1}, {radius, 0, 0, -1}}, slices);
-    revolve(mesh, base, {{radius, 0, 1, 0}, {radius, height, 1, 0}}, slices);
-    revolve(mesh, base, {{radius, height, 0, 1}, {0, height, 0, 1}}, slices);
+    add_revolved(mesh, base, {{0, 0, 0, -1}, {radius, 0, 0, -1}}, slices);
+    add_revolved(mesh, base, {{radius, 0, 1, 0}, {radius, height, 1, 0}}, slices);
+    add_revolved(mesh, base, {{radius, height, 0, 1}, {0, height, 0, 1}}, slices);
 }
 
 void add_cone(Mesh& mesh, glm::vec3 base, float radius, float height, int slices) {
     LUXEL_ASSERT(slices >= 3, "slices={}", slices);
     const float slant = std::hypot(radius, height);
     const float radial = height / slant, vertical = radius / slant;
-    revolve(mesh, base, {{0, 0, 0, -1}, {radius, 0, 0, -1}}, slices);
-    revolve(mesh, base, {{radius, 0, radial, vertical}, {0, height, radial, vertical}}, slices);
+    add_revolved(mesh, base, {{0, 0, 0, -1}, {radius, 0, 0, -1}}, slices);
+    add_revolved(mesh, base, {{radius, 0, radial, vertical}, {0, height, radial, vertical}}, slices);
 }
 
 void add_torus(Mesh& mesh, glm::vec3 center, float ring_radius, float tube_radius, int slices, int stacks) {
@@ -176,7 +168,50 @@ void add_torus(Mesh& mesh, glm::vec3 center, float ring_radius, float tube_radiu
         const float c = std::cos(psi), s = std::sin(psi);
         outline.push_back({ring_radius + tube_radius * c, tube_radius * s, c, s});
     }
-    revolve(mesh, center, outline, slices);
+    add_revolved(mesh, center, outline, slices);
+}
+
+std::vector<OutlinePoint> smooth_outline(const std::vector<glm::vec2>& points, int steps) {
+    LUXEL_ASSERT(points.size() >= 2 && steps >= 1, "points={} steps={}", points.size(), steps);
+    std::vector<OutlinePoint> outline;
+    const std::size_t spans = points.size() - 1;
+
+    // Hermite spans whose tangents are half the way between the neighbors, as Catmull and Rom have it.
+    for (std::size_t i = 0; i < spans; ++i) {
+        const glm::vec2 a = points[i], b = points[i + 1];
+        const glm::vec2 at_a = i > 0 ? (b - points[i - 1]) * 0.5f : b - a;
+        const glm::vec2 at_b = i + 1 < spans ? (points[i + 2] - a) * 0.5f : b - a;
+        for (int k = 0; k < steps + (i + 1 == spans ? 1 : 0); ++k) {
+            const float t = float(k) / float(steps), t2 = t * t, t3 = t2 * t;
+            const glm::vec2 p = a * (2 * t3 - 3 * t2 + 1) + b * (3 * t2 - 2 * t3) + at_a * (t3 - 2 * t2 + t) +
+                                at_b * (t3 - t2);
+            const glm::vec2 along = glm::normalize((b - a) * (6 * t - 6 * t2) + at_a * (3 * t2 - 4 * t + 1) +
+                                                   at_b * (3 * t2 - 2 * t));
+            const bool on_axis = p.x <= 0.0f;
+            outline.push_back({on_axis ? 0.0f : p.x, p.y, on_axis ? 0.0f : along.y,
+                               on_axis ? std::copysign(1.0f, -along.x) : -along.x});
+        }
+    }
+    return outline;
+}
+
+void add_height_field(Mesh& mesh, float half, int cells,
+                      const std::function<glm::vec3(float x, float z)>& height) {
+    LUXEL_ASSERT(cells >= 1, "cells={}", cells);
+    const auto first = std::uint32_t(mesh.positions.size()), columns = std::uint32_t(cells) + 1;
+    for (std::uint32_t j = 0; j < columns; ++j)
+        for (std::uint32_t i = 0; i < columns; ++i) {
+            const glm::vec2 uv(float(i) / float(cells), float(j) / float(cells));
+            const float x = half * (2.0f * uv.x - 1.0f), z = half * (2.0f * uv.y - 1.0f);
+            const glm::vec3 h = height(x, z);
+            add_vertex(mesh, {x, h.x, z}, glm::normalize(glm::vec3(-h.y, 1.0f, -h.z)), uv);
+        }
+    for (std::uint32_t j = 0; j + 1 < columns; ++j)
+        for (std::uint32_t i = 0; i + 1 < columns; ++i) {
+            const std::uint32_t a = first + j * columns + i, b = a + columns;
+            add_triangle(mesh, a, b, b + 1);
+            add_triangle(mesh, a, b + 1, a + 1);
+        }
 }
 
 Scene subdivide(const Scene& scene, int levels) {

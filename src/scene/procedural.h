@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes made by code: known answers for tests, and something to light on a machine without files.
 #pragma once
+#include <functional>
+
 #include "scene/scene.h"
 
 namespace luxel {
@@ -19,6 +21,20 @@ Scene sphere_in_box();
 // Replaces each triangle by 4^levels: same surface, more triangles.
 Scene subdivide(const Scene& scene, int levels);
 
+// What is specular in the scenes below has the role "specular NAME".
+// Solid glass sphere above the floor of a room, under a spot light.
+Scene glass_sphere();
+// Mirroring ring on a floor, under a point light: a cardioid of light inside it.
+Scene metal_ring();
+// A pool whose surface has waves after `seconds`, under a spot light; a camera below the surface, one above.
+Scene water(float seconds);
+// Metal ring, glass sphere, mirror ball and an empty drinking glass in a room, under a point light.
+Scene glass_metal();
+// Mirror sphere in a closed box of painted walls.
+Scene mirror_box();
+// A mirroring pot with handle and spout, which sees itself, in the same box.
+Scene teapot_box();
+
 // Building blocks; all append to `mesh`.
 void add_quad(Mesh& mesh, glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v); // front normal: cross(u, v)
 void add_box(Mesh& mesh, glm::vec3 least, glm::vec3 most);                       // normals outward
@@ -26,5 +42,21 @@ void add_sphere(Mesh& mesh, glm::vec3 center, float radius, int slices, int stac
 void add_cylinder(Mesh& mesh, glm::vec3 base, float radius, float height, int slices);
 void add_cone(Mesh& mesh, glm::vec3 base, float radius, float height, int slices);
 void add_torus(Mesh& mesh, glm::vec3 center, float ring_radius, float tube_radius, int slices, int stacks);
+
+// A point of the outline that is revolved about the y axis, with the outline's normal there.
+struct OutlinePoint {
+    float radius, height;
+    float normal_radial, normal_y;
+};
+// Revolves one smooth piece of outline about the vertical axis through `base`. The outline is walked with the
+// outside on its right (bottom to top on an outer side), which makes the front face outward.
+void add_revolved(Mesh& mesh, glm::vec3 base, const std::vector<OutlinePoint>& outline, int slices);
+// A curve through (radius, height) points, `steps` pieces between neighbors, with its normals.
+std::vector<OutlinePoint> smooth_outline(const std::vector<glm::vec2>& points, int steps);
+
+// Height over (x, z), facing up; height(x, z) returns (y, dy/dx, dy/dz). cells x cells squares of the square
+// around the origin of half the side `half`.
+void add_height_field(Mesh& mesh, float half, int cells,
+                      const std::function<glm::vec3(float x, float z)>& height);
 
 } // namespace luxel

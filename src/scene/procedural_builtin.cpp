@@ -28,11 +28,24 @@ std::vector<Entry> base_entries() {
         {"shapes-directional", "the same shapes under a directional light",
          [] { return shapes(ShapesLight::directional); }},
         {"sphere-in-box", "sphere in a room of colored walls, point light", [] { return sphere_in_box(); }},
+        {"glass-sphere", "glass sphere in a room, spot light", [] { return glass_sphere(); }},
+        {"metal-ring", "mirroring ring on a floor, point light", [] { return metal_ring(); }},
+        {"glass-metal", "metal ring, glass sphere, mirror ball and drinking glass in a room, point light",
+         [] { return glass_metal(); }},
+        {"mirror-box", "mirror sphere in a closed box of painted walls", [] { return mirror_box(); }},
+        {"teapot-box", "mirroring pot that sees itself, in the same box", [] { return teapot_box(); }},
+        {"water", "wavy water in a room, spot light, cameras below and above its surface",
+         [] { return water(0.0f); }},
     };
     for (const char* albedo : {"0.0", "0.2", "0.5", "0.8", "0.9"}) {
         const float value = std::stof(albedo);
         entries.push_back({fmt::format("furnace-{}", albedo), fmt::format("furnace of albedo {}", albedo),
                            [value] { return furnace(value); }});
+    }
+    for (const char* seconds : {"0.25", "0.5"}) {
+        const float value = std::stof(seconds);
+        entries.push_back({fmt::format("water-{}", seconds), fmt::format("water {} seconds later", seconds),
+                           [value] { return water(value); }});
     }
     return entries;
 }

@@ -3,50 +3,12 @@
 #include <cmath>
 
 #include "scene/procedural.h"
+#include "scene/procedural_parts.h"
 
 namespace luxel {
 namespace {
 
-float radians(float degrees) { return degrees * (shared::PI / 180.0f); }
-
-// Purely diffuse: no metal and no specular lobe, so the albedo is exactly `albedo`.
-Material lambertian(const std::string& name, glm::vec3 albedo, glm::vec3 emission = glm::vec3(0.0f)) {
-    Material material;
-    material.name = name;
-    material.base_color = glm::vec4(albedo, 1.0f);
-    material.metallic = 0.0f;
-    material.specular = 0.0f;
-    material.emission = emission;
-    return material;
-}
-
-// Adds an object of its own material; the mesh is then filled by the building blocks.
-Mesh& add_object(Scene& scene, const Material& material) {
-    scene.materials.push_back(material);
-    Mesh mesh;
-    mesh.name = material.name;
-    mesh.material = int(scene.materials.size() - 1);
-    scene.meshes.push_back(std::move(mesh));
-    Instance instance;
-    instance.name = material.name;
-    instance.mesh = int(scene.meshes.size() - 1);
-    scene.instances.push_back(std::move(instance));
-    return scene.meshes.back();
-}
-
-Camera camera_at(glm::vec3 position, glm::vec3 target, float yfov_degrees) {
-    Camera camera;
-    camera.name = "camera";
-    camera.position = position;
-    camera.forward = glm::normalize(target - position);
-    camera.yfov = radians(yfov_degrees);
-    return camera;
-}
-
-void add_quad_object(Scene& scene, const Material& material, glm::vec3 corner, glm::vec3 edge_u,
-                     glm::vec3 edge_v) {
-    add_quad(add_object(scene, material), corner, edge_u, edge_v);
-}
+using namespace procedural;
 
 // A box that stands on the floor, seen from above: corner, then the two horizontal edges with edge_x x edge_z
 // pointing down (-y).
@@ -74,17 +36,6 @@ constexpr glm::vec3 red{0.63f, 0.065f, 0.05f};    // left, x = -1
 constexpr glm::vec3 green{0.14f, 0.45f, 0.091f};  // right, x = 1
 constexpr glm::vec3 radiance{17.0f, 12.0f, 4.0f}; // of the area light
 } // namespace cornell_table
-
-// Walls of the cube x [-1, 1], y [0, 2], z [-1, 1] that face inward, the side toward +z left open.
-void add_open_room(Scene& scene, const Material& floor, const Material& ceiling, const Material& back,
-                   const Material& left, const Material& right) {
-    const glm::vec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
-    add_quad_object(scene, floor, {-1, 0, -1}, z, x);
-    add_quad_object(scene, ceiling, {-1, 2, -1}, x, z);
-    add_quad_object(scene, back, {-1, 0, -1}, x, y);
-    add_quad_object(scene, left, {-1, 0, -1}, y, z);
-    add_quad_object(scene, right, {1, 0, -1}, z, y);
-}
 
 } // namespace
 

@@ -2,7 +2,10 @@
 // Procedural geometry: known areas and volumes, consistent winding, subdivision, the scenes by name.
 #include "scene/procedural.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -34,6 +37,24 @@ Measures measure(const Mesh& mesh) {
                 std::min(m.worst_agreement, glm::dot(mesh.normals[t[k]], glm::normalize(cross)));
     }
     return m;
+}
+
+// Edges that are not walked once each way; positions count as equal within some 1e-5.
+int open_edges(const Mesh& mesh) {
+    using Point = std::array<long, 3>;
+    std::map<std::pair<Point, Point>, int> balance;
+    const auto point = [&](std::uint32_t i) {
+        const glm::vec3 p = mesh.positions[i] * 1e5f;
+        return Point{std::lround(p.x), std::lround(p.y), std::lround(p.z)};
+    };
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point a = point(mesh.indices[i + k]), b = point(mesh.indices[i + (k + 1) % 3]);
+            balance[std::minmax(a, b)] += a < b ? 1 : a == b ? 0 : -1;
+        }
+    int open = 0;
+    for (const auto& [edge, sum] : balance) open += sum != 0;
+    return open;
 }
 
 TEST(Procedural, SolidsHaveTheirVolumeAndFaceOutward) {
@@ -126,6 +147,53 @@ TEST(Procedural, SubdivisionInterpolatesTextureCoordinates) {
         EXPECT_FLOAT_EQ(fine.texcoords[0][i].x, fine.positions[i].x / 2);
         EXPECT_FLOAT_EQ(fine.texcoords[0][i].y, fine.positions[i].y / 4);
     }
+}
+
+// Light is refracted rightly only by solids whose fronts all face outward.
+TEST(Procedural, SpecularObjectsAreClosedSolids) {
+    for (const Scene& scene : {glass_sphere(), metal_ring(), glass_metal(), mirror_box(), teapot_box()}) {
+        int count = 0;
+        for (const Instance& instance : scene.instances) {
+            if (instance.role != "specular " + instance.name) continue;
+            ++count;
+            const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+            const Measures m = measure(mesh);
+            EXPECT_GT(m.volume, 0.0) << instance.name;
+            EXPECT_GT(m.worst_agreement, 0.9f) << instance.name;
+            if (instance.name == "ring" && scene.name == "metal-ring") {
+                EXPECT_NEAR(m.volume / (pi * (0.53 * 0.53 - 0.25) * 0.3), 1.0, 1e-3);
+            }
+
+            EXPECT_EQ(open_edges(mesh), 0) << instance.name;
+        }
+        EXPECT_GT(count, 0) << scene.name;
+    }
+}
+
+TEST(Procedural, OutlinesPassThroughTheirPoints) {
+    const std::vector<OutlinePoint> outline = smooth_outline({{0, 0}, {1, 0.5f}, {1, 1.5f}, {0, 2}}, 8);
+    ASSERT_EQ(outline.size(), 25u);
+    EXPECT_FLOAT_EQ(outline[8].radius, 1.0f);
+    EXPECT_FLOAT_EQ(outline[16].height, 1.5f);
+    EXPECT_FLOAT_EQ(outline[12].normal_radial, 1.0f) << "symmetric, so upright halfway";
+    EXPECT_EQ(outline[24].radius, 0.0f);
+    EXPECT_EQ(outline[24].normal_y, 1.0f);
+}
+
+// The normals that waves are given are those of their heights, and time moves them.
+TEST(Procedural, WaterHasTheNormalsOfItsWaves) {
+    const auto surface = [](const Scene& scene) {
+        for (const Instance& instance : scene.instances)
+            if (instance.role == "specular water") return scene.meshes[std::size_t(instance.mesh)];
+        return Mesh();
+    };
+    const Mesh at_rest = surface(water(0.0f)), later = surface(water(0.25f));
+    const Measures m = measure(at_rest);
+    EXPECT_GT(m.worst_agreement, 0.995f);
+    EXPECT_GT(m.area, 4.05);
+    EXPECT_LT(m.area, 4.5);
+    ASSERT_EQ(at_rest.positions.size(), later.positions.size());
+    EXPECT_NE(at_rest.positions, later.positions);
 }
 
 TEST(Procedural, EveryListedNameLoads) {
