@@ -91,6 +91,17 @@ LUXEL_FN bool is_mirror(float metallic, float roughness) {
     return metallic > 0.999f && roughness < MIRROR_ROUGHNESS;
 }
 
+// What specular techniques trace through: a reflector below 0, a diffuse surface at 0, a refractor above
+// [Umenhoffer2009, 5.2]. The magnitude is the index of refraction, of thin refractors plus THIN_IOR. Lobes
+// up to SMOOTH_ROUGHNESS count as smooth: alpha = .01 rad is less than a texel of a cube of 128.
+LUXEL_CONST float SMOOTH_ROUGHNESS = 0.1f;
+LUXEL_CONST float THIN_IOR = 16.0f;
+LUXEL_FN float signed_ior(float metallic, float roughness, float transmission, float ior, bool thin) {
+    if (roughness > SMOOTH_ROUGHNESS) return 0.0f;
+    if (transmission >= 0.5f) return thin ? ior + THIN_IOR : ior;
+    return metallic >= 0.5f ? -ior : 0.0f;
+}
+
 // Unpolarized reflectance of a smooth interface; eta = index behind it over the index in front; 1 beyond the
 // critical angle [Walter2007, eq. 22].
 LUXEL_FN float fresnel_dielectric(float cos_i, float eta) {

@@ -6,8 +6,7 @@
 
 namespace luxel {
 
-Capture capture_scene(gpu::Recorder& recorder, const GpuScene& scene, const DirectLight& lights,
-                      const CaptureRequest& request) {
+Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request) {
     const gpu::Image& behind = request.farther_than;
     LUXEL_ASSERT(!behind || (float(behind.width()) == request.view.width &&
                              float(behind.height()) == request.view.height),
@@ -30,9 +29,8 @@ Capture capture_scene(gpu::Recorder& recorder, const GpuScene& scene, const Dire
     c.direct = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct");
     c.direct_diffuse = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct_diffuse");
 
-    draw_gbuffer(recorder, c, behind);
+    draw_gbuffer(recorder, c, request);
     recorder.clear(c.direct_diffuse, {});
-    lights.render(recorder, c);
     return c;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One view of the scene: G-buffer and direct light.
+// What one view of the scene shows.
 #pragma once
-#include "techniques/frame/direct_light.h"
 #include "techniques/frame/frame.h"
 
 namespace luxel {
 
-Capture capture_scene(gpu::Recorder& recorder, const GpuScene& scene, const DirectLight& lights,
-                      const CaptureRequest& request);
+// `direct` holds what the surfaces emit, `direct_diffuse` nothing: DirectLight::render adds the lights.
+Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request);
 
 } // namespace luxel

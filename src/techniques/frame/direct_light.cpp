@@ -63,10 +63,13 @@ std::vector<gpu::Image> DirectLight::images() const {
     return images;
 }
 
-void DirectLight::render(gpu::Recorder& recorder, const Capture& capture) const {
-    const Bounds& scene = capture.scene->bounds();
-    std::vector<glm::vec3> receivers =
-        common_corners(scene, frustum_of(capture.view.world_to_clip), capture.view.position);
+void DirectLight::render(gpu::Recorder& recorder, const std::vector<Capture>& captures) const {
+    LUXEL_ASSERT(!captures.empty(), "lights={}", lights_.size());
+    const Bounds& scene = captures.front().scene->bounds();
+    std::vector<glm::vec3> receivers;
+    for (const Capture& c : captures)
+        for (glm::vec3 corner : common_corners(scene, frustum_of(c.view.world_to_clip), c.view.position))
+            receivers.push_back(corner);
 
     // Lights are sorted by map size; a batch ends where the size changes, or the maps or the parameters are
     // full.
@@ -83,36 +86,37 @@ void DirectLight::render(gpu::Recorder& recorder, const Capture& capture) const 
                 batch.back().light.first_map = shared::uint(used);
                 used += count;
             }
-            add(recorder, capture, maps, batch);
+            add(recorder, captures, maps, batch);
         }
     }
 }
 
-void DirectLight::add(gpu::Recorder& recorder, const Capture& capture, const ShadowMaps& maps,
+void DirectLight::add(gpu::Recorder& recorder, const std::vector<Capture>& captures, const ShadowMaps& maps,
                       const std::vector<FittedLight>& batch) const {
     LUXEL_ASSERT(!batch.empty(), "layers={}", maps.layers());
     std::vector<shared::ShadowView> views;
     for (const FittedLight& l : batch) views.insert(views.end(), l.views.begin(), l.views.end());
-    gpu::Image shadow_maps = maps.draw(recorder, *capture.scene, views, options_.esm_exponent);
+    gpu::Image shadow_maps = maps.draw(recorder, *captures.front().scene, views, options_.esm_exponent);
 
-    shared::DirectParams p{.view = capture.view,
-                           .esm_exponent = options_.esm_exponent,
+    shared::DirectParams p{.esm_exponent = options_.esm_exponent,
                            .light_count = int(batch.size()),
                            .map_size = float(maps.size())};
     for (std::size_t i = 0; i < batch.size(); ++i) p.lights[i] = batch[i].light;
     std::copy(views.begin(), views.end(), p.maps);
-    const GBuffer& g = capture.gbuffer;
     static constexpr const char* programs[] = {"frame/direct_hard.comp", "frame/direct_pcf.comp",
                                                "frame/direct_esm.comp"};
-    recorder.dispatch(programs[std::size_t(options_.shadow)], extent_of(capture.direct), p,
-                      {{"depth", g.depth},
-                       {"diffuse", g.diffuse},
-                       {"specular", g.specular},
-                       {"normal", g.normal},
-                       {"geometric_normal", g.geometric_normal},
-                       {"shadow_maps", shadow_maps},
-                       {"direct", capture.direct},
-                       {"direct_diffuse", capture.direct_diffuse}});
+    for (const Capture& c : captures) {
+        p.view = c.view;
+        recorder.dispatch(programs[std::size_t(options_.shadow)], extent_of(c.direct), p,
+                          {{"depth", c.gbuffer.depth},
+                           {"diffuse", c.gbuffer.diffuse},
+                           {"specular", c.gbuffer.specular},
+                           {"normal", c.gbuffer.normal},
+                           {"geometric_normal", c.gbuffer.geometric_normal},
+                           {"shadow_maps", shadow_maps},
+                           {"direct", c.direct},
+                           {"direct_diffuse", c.direct_diffuse}});
+    }
 }
 
 } // namespace luxel

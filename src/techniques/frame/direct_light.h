@@ -18,16 +18,17 @@ struct FrameLight {
 // by map size.
 std::vector<FrameLight> frame_lights(const Scene& scene, const FrameOptions& options);
 
-// Adds the lights to a capture's direct and direct_diffuse.
+// Adds the lights to direct and direct_diffuse of captures.
 class DirectLight {
 public:
     DirectLight(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options);
-    void render(gpu::Recorder& recorder, const Capture& capture) const;
+    // Each shadow map is drawn once for all captures, which are of one scene.
+    void render(gpu::Recorder& recorder, const std::vector<Capture>& captures) const;
     std::size_t light_count() const { return lights_.size(); }
     std::vector<gpu::Image> images() const;
 
 private:
-    void add(gpu::Recorder& recorder, const Capture& capture, const ShadowMaps& maps,
+    void add(gpu::Recorder& recorder, const std::vector<Capture>& captures, const ShadowMaps& maps,
              const std::vector<FittedLight>& batch) const;
 
     FrameOptions options_;

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/parameters.h"
 #include "gpu/recorder.h"
@@ -20,7 +21,8 @@ struct GBuffer {
     gpu::Image specular; // RGBA16F: Brdf::f0, a = f90
     gpu::Image
         normal; // RGBA16F: world shading normal facing the camera's side, a = 1 where there is a surface
-    gpu::Image geometric_normal; // RGBA16F: world normal of the triangle, toward the camera
+    gpu::Image geometric_normal; // RGBA16F: world normal of the triangle, toward the camera; a = 1 where its
+                                 // front is seen, -1 where its back is
     gpu::Image depth; // R32F: distance along the view direction ("linear eye z"), meters; 0 = background
     gpu::Image hardware_depth; // D32F
 };
@@ -31,17 +33,24 @@ struct Capture {
     shared::ViewParams view; // camera as shaders read it; world position = position + depth * pixel_direction
     const GpuScene* scene = nullptr;
     GBuffer gbuffer;
-    gpu::Image direct; // RGBA32F: direct radiance toward the camera, emission included, without ambient
+    gpu::Image direct; // RGBA32F: direct radiance toward the camera, emission included, without ambient;
+                       // a = signed_ior (shared/brdf.h)
     gpu::Image direct_diffuse; // RGBA32F: the part of it that the Lambertian lobe reflects (no emission, no
                                // specular)
 };
 
+// Which sides of surfaces a capture shows: all, but behind `farther_than` no backs of single-sided surfaces
+// (they are the insides of solids); those two without exception; or one alone.
+enum class Sides { standard, all, front, back };
+
 struct CaptureRequest {
     shared::ViewParams view; // width and height are the capture's
     std::string prefix;      // of its images' names, "" for the frame's own
-    // R32F, as large as the view: only what is farther than it, along the view direction, is drawn, without
-    // the backs of single-sided surfaces (the insides of solids) [Everitt2001]. Empty: all.
+    // R32F, as large as the view: only what is farther than it, along the view direction, is drawn
+    // [Everitt2001]. Empty: all.
     gpu::Image farther_than;
+    Sides sides = Sides::standard;
+    std::vector<bool> drawn; // by the scene's instances; empty: all. The others still cast shadows.
 };
 
 // The capture of the camera's view, and what else a technique may ask for.
@@ -51,6 +60,11 @@ struct Frame : Capture {
     shared::AmbientParams ambient_sh{}; // the environment's radiance that `ambient` is made of; 0 without
     // The scene again, from another view or behind what one sees, by the passes that made this frame.
     std::function<Capture(gpu::Recorder&, const CaptureRequest&)> capture;
+    // The two halves of it. Surfaces: `direct` holds what they emit, `direct_diffuse` nothing. Light: adds
+    // the lights to several captures and draws each shadow map once for them all.
+    std::function<Capture(gpu::Recorder&, const CaptureRequest&)> capture_surfaces;
+    std::function<void(gpu::Recorder&, const std::vector<Capture>&)> add_light;
+    gpu::Image environment; // equirectangular radiance before rotation and scale; 1x1 black without one
 };
 
 enum class ShadowMode { hard, pcf, esm };

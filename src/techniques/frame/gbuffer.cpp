@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/frame/gbuffer.h"
 
+#include "techniques/frame/peel_params.h"
+
 namespace luxel {
 
 namespace {
@@ -13,22 +15,41 @@ constexpr Kind kinds[] = {{"frame/gbuffer_plain", "frame/peel_plain", Surfaces::
                           {"frame/gbuffer_textured", "frame/peel_textured", Surfaces::textured},
                           {"frame/gbuffer_full", "frame/peel_full", Surfaces::full}};
 
+// Shares of the sides that are left out, see gbuffer_fragment.glsl.
+shared::PeelParams peel_params(const Capture& capture, Sides sides) {
+    shared::PeelParams p{.view = capture.view};
+    if (sides == Sides::standard) p.drop_solid_back = 1.0f;
+    if (sides == Sides::front) p.drop_back = 1.0f;
+    if (sides == Sides::back) p.drop_front = 1.0f;
+    return p;
+}
+
+// Nothing is nearer than this.
+gpu::Image at_the_eye(gpu::Recorder& recorder, const Capture& capture) {
+    gpu::Image zero = recorder.image(
+        {.width = capture.width, .height = capture.height, .format = VK_FORMAT_R32_SFLOAT}, "at the eye");
+    recorder.clear(zero, {});
+    return zero;
+}
+
 } // namespace
 
-void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const gpu::Image& farther_than) {
+void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const CaptureRequest& request) {
     auto scope = recorder.scope("gbuffer");
     const GBuffer& g = capture.gbuffer;
     const GpuScene& scene = *capture.scene;
     const Frustum frustum = frustum_of(capture.view.world_to_clip);
+    const bool one_side = request.sides == Sides::front || request.sides == Sides::back;
+    const bool peels = request.farther_than || one_side;
 
     // Depth of what is opaque comes first, so that each pixel is shaded about once. It cannot peel: which
     // surfaces have a back is their material's business.
     gpu::DepthTarget depth{
         .image = g.hardware_depth, .clear = 0.0f, .compare = VK_COMPARE_OP_GREATER_OR_EQUAL};
-    if (!farther_than) {
+    if (!peels) {
         recorder.draw("frame/depth", {.depth = depth}, capture.view.world_to_clip,
                       scene.vertex_bindings(MaterialUse::none), scene.indices(),
-                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none));
+                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn));
         depth.clear.reset();
     }
 
@@ -39,12 +60,18 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const gpu::Im
          {g.diffuse, g.specular, g.normal, g.geometric_normal, g.depth, capture.direct})
         pass.color.push_back({image, black});
     gpu::Bindings bindings = scene.vertex_bindings(MaterialUse::all);
-    if (farther_than) bindings.push_back({"farther_than", farther_than});
+    if (peels)
+        bindings.push_back(
+            {"farther_than", request.farther_than ? request.farther_than : at_the_eye(recorder, capture)});
     for (const Kind& kind : kinds) {
-        std::vector<gpu::Batch> batches = scene.batches(frustum, kind.surfaces, MaterialUse::all);
+        std::vector<gpu::Batch> batches =
+            scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn);
         if (batches.empty() && kind.surfaces != Surfaces::plain) continue;
-        recorder.draw(farther_than ? kind.peeling : kind.program, pass, capture.view, bindings,
-                      scene.indices(), batches);
+        if (peels)
+            recorder.draw(kind.peeling, pass, peel_params(capture, request.sides), bindings, scene.indices(),
+                          batches);
+        else
+            recorder.draw(kind.program, pass, capture.view, bindings, scene.indices(), batches);
         for (gpu::ColorTarget& target : pass.color) target.clear.reset();
         pass.depth->clear.reset();
     }

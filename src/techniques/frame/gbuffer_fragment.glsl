@@ -5,7 +5,14 @@
 #include "techniques/frame/material.glsl"
 #include "techniques/frame/view_params.h"
 
+#ifdef PEEL
+#include "techniques/frame/peel_params.h"
+layout(set = 0, binding = 6, scalar) uniform params { PeelParams p; };
+#define view p.view
+layout(set = 0, binding = 7) uniform sampler2D farther_than; // linear depth of the view's pixels
+#else
 layout(set = 0, binding = 6, scalar) uniform params { ViewParams view; };
+#endif
 
 #if TEXTURES != TEXTURES_NONE
 layout(set = 1, binding = 2) uniform sampler2D metallic_roughness_texture;
@@ -16,10 +23,6 @@ layout(set = 1, binding = 4) uniform sampler2D emission_texture;
 layout(set = 1, binding = 5) uniform sampler2D specular_texture;
 layout(set = 1, binding = 6) uniform sampler2D specular_color_texture;
 layout(set = 1, binding = 7) uniform sampler2D transmission_texture;
-#endif
-
-#ifdef PEEL
-layout(set = 0, binding = 7) uniform sampler2D farther_than; // linear depth of the view's pixels
 #endif
 
 layout(location = 0) in vec3 from_eye;
@@ -97,14 +100,16 @@ void main() {
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);
     out_normal = vec4(n, 1.0);
-    out_geometric_normal = vec4(geometric, 1.0);
+    out_geometric_normal = vec4(geometric, side);
     out_depth = depth;
-    out_emission = vec4(front || m.double_sided != 0u ? emission : vec3(0.0), 1.0);
+    out_emission = vec4(front || m.double_sided != 0u ? emission : vec3(0.0),
+                        signed_ior(metallic, roughness, transmission, m.ior, m.thin != 0u));
 
     // Last, so that the derivatives above are those of whole quads.
     if (base.a < m.alpha_cutoff || depth > view.far) discard;
 #ifdef PEEL
     if (depth <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
-    if (!front && m.double_sided == 0u) discard;
+    float solid = m.double_sided == 0u ? 1.0 : 0.0;
+    if ((front ? p.drop_front : p.drop_back + p.drop_solid_back * solid) > 0.5) discard;
 #endif
 }

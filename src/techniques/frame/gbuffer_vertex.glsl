@@ -7,7 +7,13 @@ layout(set = 0, binding = 2, scalar) readonly buffer normals { vec3 normal_of[];
 layout(set = 0, binding = 3, scalar) readonly buffer tangents { vec4 tangent_of[]; };
 layout(set = 0, binding = 4, scalar) readonly buffer texcoords { vec2 texcoord_of[]; };
 layout(set = 0, binding = 5, scalar) readonly buffer colors { vec4 color_of[]; };
+#ifdef PEEL
+#include "techniques/frame/peel_params.h"
+layout(set = 0, binding = 6, scalar) uniform params { PeelParams p; };
+#define view p.view
+#else
 layout(set = 0, binding = 6, scalar) uniform params { ViewParams view; };
+#endif
 
 layout(location = 0) out vec3 from_eye; // world position minus the camera's
 layout(location = 1) out vec3 normal;   // world, by the file, not normalized

@@ -23,13 +23,6 @@ template <class T> gpu::Buffer upload_limited(gpu::Gpu& gpu, const Scene& scene,
     return gpu.upload(std::span<const T>(values), std::move(name));
 }
 
-// Where a mesh's elements begin in the arrays of all meshes.
-struct MeshPlace {
-    std::uint32_t first_index;
-    int base_vertex;
-    int uv0, uv1, tangent, color; // relative to the base vertex, or ABSENT
-};
-
 // Appends an optional attribute and returns its offset relative to the base vertex.
 template <class T> int append(std::vector<T>& all, const std::vector<T>& values, int base_vertex) {
     if (values.empty()) return shared::ABSENT;
@@ -44,12 +37,11 @@ glm::mat3 normal_matrix(const glm::mat4& transform, float handedness) {
     return glm::mat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)) * handedness;
 }
 
-shared::InstanceRecord instance_record(const Instance& instance, const MeshPlace& place) {
+shared::InstanceRecord instance_record(const Instance& instance) {
     shared::InstanceRecord r{};
     r.object_to_world = instance.transform;
     r.handedness = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
     r.normal_to_world = normal_matrix(instance.transform, r.handedness);
-    r.uv0 = place.uv0, r.uv1 = place.uv1, r.tangent = place.tangent, r.color = place.color;
     return r;
 }
 
@@ -113,6 +105,7 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m, bo
     if (m.alpha_mode != AlphaMode::opaque)
         r.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.5f;
     r.double_sided = m.double_sided ? 1 : 0;
+    r.thin = m.thin ? 1 : 0;
     for (const TextureSlot& slot : texture_slots)
         r.*slot.record = texture_record(scene, m.*slot.use, mipmaps);
     return r;
@@ -140,10 +133,8 @@ void GpuScene::upload_geometry(gpu::Gpu& gpu) {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec4> tangents, colors;
     std::vector<glm::vec2> texcoords;
-    std::vector<MeshPlace> places;
-    std::vector<Bounds> boxes;
     for (const Mesh& mesh : scene_->meshes) {
-        MeshPlace place{};
+        Place place{};
         place.first_index = std::uint32_t(indices.size());
         place.base_vertex = int(positions.size());
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -153,29 +144,9 @@ void GpuScene::upload_geometry(gpu::Gpu& gpu) {
         place.uv1 = append(texcoords, mesh.texcoords[1], place.base_vertex);
         place.tangent = append(tangents, mesh.tangents, place.base_vertex);
         place.color = append(colors, mesh.colors, place.base_vertex);
-        places.push_back(place);
-        boxes.emplace_back();
-        for (glm::vec3 p : mesh.positions) boxes.back().add(p);
+        for (glm::vec3 p : mesh.positions) place.bounds.add(p);
+        places_.push_back(place);
     }
-
-    // One draw for each instance, neighbors by material.
-    std::vector<shared::InstanceRecord> records;
-    for (const Instance& instance : scene_->instances) {
-        const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
-        const MeshPlace& place = places[std::size_t(instance.mesh)];
-        Object object{.bounds = world_bounds(boxes[std::size_t(instance.mesh)], instance.transform),
-                      .draw = {.count = std::uint32_t(mesh.indices.size()),
-                               .first = place.first_index,
-                               .vertex_offset = place.base_vertex,
-                               .instance = std::uint32_t(records.size())},
-                      .material = mesh.material};
-        records.push_back(instance_record(instance, place));
-        if (mesh.indices.empty()) continue;
-        objects_.push_back(object);
-        bounds_.add(object.bounds.least), bounds_.add(object.bounds.most);
-    }
-    std::stable_sort(objects_.begin(), objects_.end(),
-                     [](const Object& a, const Object& b) { return a.material < b.material; });
 
     indices_ = upload_limited(gpu, *scene_, indices, "indices");
     positions_ = upload_limited(gpu, *scene_, positions, "positions");
@@ -183,7 +154,41 @@ void GpuScene::upload_geometry(gpu::Gpu& gpu) {
     tangents_ = upload_limited(gpu, *scene_, tangents, "tangents");
     texcoords_ = upload_limited(gpu, *scene_, texcoords, "texcoords");
     colors_ = upload_limited(gpu, *scene_, colors, "colors");
+    move_instances(gpu);
+}
+
+void GpuScene::move_instances(gpu::Gpu& gpu) {
+    // One draw for each instance, neighbors by material.
+    std::vector<shared::InstanceRecord> records;
+    objects_.clear(), bounds_ = {};
+    for (const Instance& instance : scene_->instances) {
+        const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
+        const Place& place = places_[std::size_t(instance.mesh)];
+        Object object{.bounds = world_bounds(place.bounds, instance.transform),
+                      .draw = {.count = std::uint32_t(mesh.indices.size()),
+                               .first = place.first_index,
+                               .vertex_offset = place.base_vertex,
+                               .instance = std::uint32_t(records.size())},
+                      .material = mesh.material};
+        shared::InstanceRecord& r = records.emplace_back(instance_record(instance));
+        r.uv0 = place.uv0, r.uv1 = place.uv1, r.tangent = place.tangent, r.color = place.color;
+        if (mesh.indices.empty()) continue;
+        objects_.push_back(object);
+        bounds_.add(object.bounds.least), bounds_.add(object.bounds.most);
+    }
+    std::stable_sort(objects_.begin(), objects_.end(),
+                     [](const Object& a, const Object& b) { return a.material < b.material; });
     instances_ = upload_limited(gpu, *scene_, records, "instances");
+}
+
+Bounds GpuScene::bounds_of(const std::vector<int>& instances) const {
+    Bounds all;
+    for (const Object& object : objects_) {
+        if (std::find(instances.begin(), instances.end(), int(object.draw.instance)) == instances.end())
+            continue;
+        all.add(object.bounds.least), all.add(object.bounds.most);
+    }
+    return all;
 }
 
 void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
@@ -220,12 +225,13 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
     }
 }
 
-std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use) const {
+std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
+                                          const std::vector<bool>& drawn) const {
     std::vector<gpu::Batch> batches;
     int last_material = -1;
     for (const Object& object : objects_) {
         const MaterialOnGpu& material = materials_[std::size_t(object.material)];
-        if (!material.is(surfaces)) continue;
+        if (!material.is(surfaces) || (!drawn.empty() && !drawn[object.draw.instance])) continue;
         if (!touches(frustum, object.bounds)) continue;
         if (batches.empty() || (use != MaterialUse::none && object.material != last_material)) {
             gpu::Batch& batch = batches.emplace_back();

@@ -25,9 +25,16 @@ public:
     const Scene& scene() const { return *scene_; }
     const Bounds& bounds() const { return bounds_; } // world
 
+    // Of the scene's instances, as they stand now.
+    Bounds bounds_of(const std::vector<int>& instances) const;
+
+    // Takes over the transforms that the scene's instances have now; all else must be as it was.
+    void move_instances(gpu::Gpu& gpu);
+
     // Instances whose bounds touch the clip volume, one batch for each material (a single one for
-    // MaterialUse::none).
-    std::vector<gpu::Batch> batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use) const;
+    // MaterialUse::none). drawn: one entry for each of the scene's instances; empty = all.
+    std::vector<gpu::Batch> batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
+                                    const std::vector<bool>& drawn = {}) const;
 
     // Set 0 of the vertex shaders: "positions" and "instances" alone; with what the alpha test needs; all
     // attributes.
@@ -46,12 +53,19 @@ private:
         gpu::Draw draw;
         int material;
     };
+    struct Place { // where a mesh's elements begin in the arrays of all meshes
+        std::uint32_t first_index;
+        int base_vertex;
+        int uv0, uv1, tangent, color; // relative to the base vertex, or ABSENT
+        Bounds bounds;                // object space
+    };
     void upload_geometry(gpu::Gpu& gpu);
     void upload_materials(gpu::Gpu& gpu, bool mipmaps);
 
     const Scene* scene_;
     Bounds bounds_;
     gpu::Buffer indices_, positions_, normals_, tangents_, texcoords_, colors_, instances_;
+    std::vector<Place> places_; // of the scene's meshes
     std::vector<MaterialOnGpu> materials_;
     std::vector<Object> objects_; // sorted by material
 };

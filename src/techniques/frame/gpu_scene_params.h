@@ -43,6 +43,7 @@ struct MaterialRecord {
     float transmission;
     float alpha_cutoff; // 0: opaque
     uint double_sided;
+    uint thin; // what passes is not refracted
     TextureRecord base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
         specular_texture, specular_color_texture, transmission_texture;
 };

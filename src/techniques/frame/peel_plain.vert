@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define PEEL
 #include "techniques/frame/gbuffer_vertex.glsl"

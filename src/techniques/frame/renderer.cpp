@@ -100,9 +100,18 @@ gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
 
 Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) const {
     Frame f;
-    f.capture = [this](gpu::Recorder& r, const CaptureRequest& c) {
-        return capture_scene(r, on_gpu, direct, c);
+    f.capture_surfaces = [this](gpu::Recorder& r, const CaptureRequest& c) {
+        return capture_surfaces(r, on_gpu, c);
     };
+    f.add_light = [this](gpu::Recorder& r, const std::vector<Capture>& captures) {
+        direct.render(r, captures);
+    };
+    f.capture = [this](gpu::Recorder& r, const CaptureRequest& c) {
+        Capture capture = capture_surfaces(r, on_gpu, c);
+        direct.render(r, {capture});
+        return capture;
+    };
+    f.environment = environment;
     shared::ViewParams view = view_params(request.camera, request.width, request.height);
     static_cast<Capture&>(f) = f.capture(recorder, {.view = view});
     f.camera = request.camera;
@@ -146,6 +155,11 @@ gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
 Renderer::Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options)
     : data_(std::make_unique<Data>(gpu, scene, options)) {}
 Renderer::~Renderer() = default;
+
+void Renderer::update_motion() {
+    data_->on_gpu.move_instances(data_->gpu);
+    data_->direct = DirectLight(data_->gpu, data_->scene, data_->options);
+}
 
 RenderResult Renderer::render(const RenderRequest& request) {
     if (request.width < 1 || request.height < 1 || request.width > max_image_side ||

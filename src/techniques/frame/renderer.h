@@ -37,6 +37,9 @@ public:
     Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options);
     ~Renderer();
     RenderResult render(const RenderRequest& request);
+    // To be called when instances' transforms or lights of the scene have changed. Techniques are not
+    // prepared again.
+    void update_motion();
 
 private:
     struct Data;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Objects: what of a scene belongs together, by the role that its scene file gives.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace luxel {
+
+struct SceneObject {
+    std::string role;           // "" when the material alone makes it one
+    std::vector<int> instances; // indices into Scene::instances, ascending
+};
+
+// Instances with the same role are one object where the role begins with "dynamic", in the order of their
+// first instance.
+std::vector<SceneObject> dynamic_objects(const Scene& scene);
+// The same with "specular"; besides, every instance without a role whose material is smooth metal or
+// transmits is an object of its own.
+std::vector<SceneObject> specular_objects(const Scene& scene);
+// By the material's factors, textures aside (shared::signed_ior).
+bool is_specular(const Material& material);
+
+// What CaptureRequest::drawn takes: one entry per instance of the scene.
+std::vector<bool> only(const Scene& scene, const std::vector<SceneObject>& objects);
+std::vector<bool> all_but(const Scene& scene, const std::vector<SceneObject>& objects);
+
+} // namespace luxel
