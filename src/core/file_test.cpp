@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "core/temporary_folder.h"
 
 using namespace luxel;
 
@@ -18,13 +19,10 @@ namespace {
 class Files : public ::testing::Test {
 protected:
     void SetUp() override {
-        std::string pattern = ::testing::TempDir() + "luxel_files_XXXXXX";
-        root = mkdtemp(pattern.data());
         std::filesystem::create_directories(root / "scene/textures");
         write_file(root / "secret", "secret");
         write_file(root / "scene/textures/wood", "wood");
     }
-    void TearDown() override { std::filesystem::remove_all(root); }
     std::optional<std::string> read(const std::string& relative, std::uint64_t limit = 100) {
         const auto bytes = Folder(root / "scene").read(relative, limit);
         if (!bytes) return std::nullopt;
@@ -39,7 +37,8 @@ protected:
         ADD_FAILURE() << relative << " was accepted";
         return Fault::usage;
     }
-    std::filesystem::path root;
+    const TemporaryFolder folder;
+    const std::filesystem::path root = folder.path();
 };
 
 } // namespace

@@ -15,26 +15,13 @@ namespace {
 constexpr std::uint32_t povray_version = 1; // raised with every change of what POV-Ray is given
 constexpr const char* povray_layer = "povray";
 
-// 1 where the ray through the pixel's center meets a surface.
-Image surface_mask(const RayCaster& rays, const ViewTask& task) {
-    const CameraBasis basis = camera_basis(task.camera, task.width, task.height);
-    Image mask(task.width, task.height, 1);
-    for (int y = 0; y < task.height; ++y)
-        for (int x = 0; x < task.width; ++x) {
-            const glm::vec2 center(float(x) + 0.5f, float(y) + 0.5f);
-            const glm::vec3 direction = pixel_direction(basis, task.width, task.height, center);
-            *mask.at(x, y) = rays.occluded({basis.position, direction}) ? 1.0f : 0.0f;
-        }
-    return mask;
-}
-
 Truth render_povray(const RayCaster& rays, const ViewTask& task, const PovraySettings& settings) {
     const auto start = std::chrono::steady_clock::now();
     Truth truth;
     truth.mean[povray_layer] = povray_radiance(rays.scene(), task.camera, task.width, task.height, settings);
     truth.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     truth.spp = 1;
-    truth.mask = surface_mask(rays, task);
+    truth.mask = surface_mask(rays, task.camera, task.width, task.height);
     return truth;
 }
 

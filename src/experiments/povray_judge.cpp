@@ -2,37 +2,12 @@
 // Export, render, read back.
 #include "experiments/povray_judge.h"
 
-#include <cstdlib>
-
 #include "core/error.h"
 #include "core/image_io.h"
 #include "core/process.h"
+#include "core/temporary_folder.h"
 
 namespace luxel {
-
-namespace {
-
-// Removed with all that is in it.
-class WorkFolder {
-public:
-    WorkFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "luxel-povray-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) fail(Fault::io, "{}: cannot make this folder", pattern);
-        path_ = pattern;
-    }
-    WorkFolder(const WorkFolder&) = delete;
-    WorkFolder& operator=(const WorkFolder&) = delete;
-    ~WorkFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
-} // namespace
 
 bool povray_installed() { return is_installed("povray"); }
 
@@ -44,7 +19,7 @@ void require_povray() {
 Image povray_radiance(const Scene& scene, const Camera& camera, int width, int height,
                       const PovraySettings& settings, std::chrono::seconds limit) {
     require_povray();
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     write_povray(folder.path() / "scene.pov", scene, camera, width, height, settings);
 
     // No anti-aliasing: a ray through each pixel's center, as the frame samples. FE: linear OpenEXR.

@@ -46,11 +46,6 @@ bool PathTracer::intersect(const Ray& ray, Hit& hit) const {
     return rays_->intersect(ray, hit);
 }
 
-bool PathTracer::sees_surface(int x, int y) const {
-    Hit hit;
-    return rays_->intersect(camera_ray({float(x) + 0.5f, float(y) + 0.5f}), hit);
-}
-
 // Whether light that the last surface reflects belongs to a component that was asked for.
 bool PathTracer::is_wanted(const Path& path, bool by_ideal_lobe) const {
     if (path.vertex == 1 && !by_ideal_lobe) return wanted_.direct;

@@ -114,7 +114,6 @@ public:
             for (std::size_t i = 0; i < paths.size(); ++i) sink(first + done + int(i), paths[i].result);
         }
     }
-    bool sees_surface(int x, int y) const; // through the pixel's center
 
 private:
     Ray camera_ray(glm::vec2 pixel) const;

@@ -51,13 +51,6 @@ template <class Body> void for_each_pixel(int width, int height, Body&& body) {
     });
 }
 
-Image surface_mask(const PathTracer& tracer, int width, int height) {
-    Image mask(width, height, 1);
-    for_each_pixel(width, height,
-                   [&](int x, int y) { *mask.at(x, y) = tracer.sees_surface(x, y) ? 1.0f : 0.0f; });
-    return mask;
-}
-
 // Components once each: a name given twice is one layer.
 std::vector<std::string> unique(const std::vector<std::string>& names) {
     std::vector<std::string> result;
@@ -105,6 +98,19 @@ double relative_error(const Estimate& estimate) {
     return count > 0 ? sum / double(count) : 0.0;
 }
 
+Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int height) {
+    const CameraBasis basis = camera_basis(camera, width, height);
+    Image mask(width, height, 1);
+    for_each_pixel(width, height, [&](int x, int y) {
+        const glm::vec2 center(float(x) + 0.5f, float(y) + 0.5f);
+        Hit hit;
+        const bool seen = rays.intersect(
+            {camera.position, pixel_direction(basis, width, height, center), camera.near, camera.far}, hit);
+        *mask.at(x, y) = seen ? 1.0f : 0.0f;
+    });
+    return mask;
+}
+
 Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) {
     check(asked);
     ReferenceRequest request = asked;
@@ -148,7 +154,7 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
     progress.finish();
 
     Estimate estimate = film.estimate(spp);
-    estimate.mask = surface_mask(tracer, request.width, request.height);
+    estimate.mask = surface_mask(rays, request.camera, request.width, request.height);
     if (!found.warning.empty()) estimate.warnings.push_back(found.warning);
     return estimate;
 }

@@ -74,6 +74,9 @@ struct ReferenceRequest {
     bool quiet = true;                // no progress
 };
 
+// 1 where the ray through the pixel's center meets a surface between the camera's near and far.
+Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int height);
+
 // Deterministic for a seed whatever the thread count. Throws Error (Fault::usage) on unknown components.
 Estimate render_reference(const RayCaster& rays, const ReferenceRequest& request);
 
