@@ -62,15 +62,20 @@ void run(Options options, const Global& global) {
                    {"luxel.spp", fmt::format("{}", estimate.spp)},
                    {"luxel.seed", fmt::format("{}", options.reference.seed)}});
 
+    const CausticError caustics = caustic_error(estimate);
     nlohmann::ordered_json json = {{"scene", options.scene},
                                    {"view", request.camera.name},
                                    {"size", {size.width, size.height}},
                                    {"spp", estimate.spp},
                                    {"relative_error", relative_error(estimate)},
                                    {"output", options.output}};
+    if (caustics.noise > 0.0) json["caustics"] = {{"noise", caustics.noise}, {"bias", caustics.bias}};
     if (global.json) return print_json(json);
     fmt::print("{}: {} of '{}', {} samples a pixel\n", options.output, fmt::join(sums[0], " + "),
                request.camera.name, estimate.spp);
+    if (caustics.noise > 0.0)
+        fmt::print("caustics: noise {:.1f} %, bias {:.1f} % of their root mean square\n",
+                   100.0 * caustics.noise, 100.0 * caustics.bias);
 }
 
 } // namespace

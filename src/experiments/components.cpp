@@ -15,7 +15,9 @@ namespace {
 
 // The families of light paths inside a component, as far as components overlap.
 std::set<std::string> parts_of(const std::string& component) {
-    if (component == "full") return {"direct", "first bounce", "later bounces", "specular"};
+    if (component == "full")
+        return {"direct", "first bounce", "later bounces", "reflections", "caustics", "other specular"};
+    if (component == "specular") return {"reflections", "caustics", "other specular"};
     if (component == "diffuse") return {"first bounce", "later bounces"};
     if (component == "diffuse1" || component == "diffuse1_unoccluded") return {"first bounce"};
     return {component};
@@ -39,8 +41,9 @@ std::vector<std::string> parse_components(std::string_view text) {
                 fail(Fault::usage, "component: '{}' counts the same light twice ({})", text, part);
         components.push_back(name);
     }
-    if (components.size() > 1 && seen.count("ao"))
-        fail(Fault::usage, "component: '{}' adds ao, which is no radiance, to light", text);
+    for (const char* no_light : {"ao", "caustics_bias"})
+        if (components.size() > 1 && seen.count(no_light))
+            fail(Fault::usage, "component: '{}' adds {}, which is no radiance, to light", text, no_light);
     return components;
 }
 

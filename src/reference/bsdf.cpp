@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/bsdf.h"
 
+#include <cmath>
+
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -26,6 +28,14 @@ glm::vec3 ShadingPoint::origin(glm::vec3 direction) const {
 Surface lambertian_part(Surface surface) {
     surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
     surface.transmission = 0.0f;
+    return surface;
+}
+
+Surface specular_part(Surface surface, float specular_roughness) {
+    surface.brdf.diffuse = glm::vec3(0.0f);
+    const bool mirror = shared::is_mirror(surface.metallic, surface.roughness);
+    if (!mirror && !has_specular_ggx(surface, specular_roughness))
+        surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
     return surface;
 }
 
@@ -104,15 +114,36 @@ BsdfSample sample_glass(const ShadingPoint& p, float u) {
     return sample;
 }
 
-} // namespace
-
-BsdfSample sample_bsdf(const ShadingPoint& p, Random& random) {
+BsdfSample sample_radiance(const ShadingPoint& p, Random& random) {
     float u = random.next();
     glm::vec2 v = random.next2();
     if (u < p.diffuse_chance) return sample_smooth(p, false, v);
     if (u < p.diffuse_chance + p.specular_chance)
         return p.mirror ? sample_mirror(p) : sample_smooth(p, true, v);
     return p.glass_chance > 0.0f ? sample_glass(p, v.x) : BsdfSample{};
+}
+
+// What turns the weight of radiance from wi toward wo into that of flux from wo toward wi.
+float flux_over_radiance(const ShadingPoint& p, glm::vec3 wi) {
+    const float shading_in = glm::dot(p.normal, p.wo), shading_out = glm::dot(p.normal, wi),
+                geometric_in = glm::dot(p.geometric_normal, p.wo),
+                geometric_out = glm::dot(p.geometric_normal, wi);
+    if (geometric_in == 0.0f || shading_out == 0.0f) return 0.0f;
+    const float factor = std::abs(shading_in * geometric_out / (shading_out * geometric_in));
+    if (geometric_out > 0.0f || p.surface->material->thin) return factor;
+    const float eta = p.surface->front ? p.surface->material->ior : 1.0f / p.surface->material->ior;
+    return factor * eta * eta;
+}
+
+} // namespace
+
+BsdfSample sample_bsdf(const ShadingPoint& p, Random& random, Transport transport) {
+    BsdfSample sample = sample_radiance(p, random);
+    if (transport == Transport::flux && sample.weight != glm::vec3(0.0f)) {
+        const float factor = flux_over_radiance(p, sample.wi);
+        sample.weight *= factor, sample.diffuse *= factor;
+    }
+    return sample;
 }
 
 } // namespace luxel

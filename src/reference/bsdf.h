@@ -34,6 +34,13 @@ BsdfValue evaluate_bsdf(const ShadingPoint& point, glm::vec3 wi);
 // The surface as if it had no lobe but the Lambertian.
 Surface lambertian_part(Surface surface);
 
+// A specular lobe (S) is one of a mirror or of glass, or the GGX lobe of a surface that is at most so rough.
+inline bool has_specular_ggx(const Surface& surface, float specular_roughness) {
+    return surface.roughness <= specular_roughness;
+}
+// The surface as if it had no other lobes than specular ones.
+Surface specular_part(Surface surface, float specular_roughness);
+
 struct BsdfSample {
     glm::vec3 wi{0.0f};      // unit
     glm::vec3 weight{0.0f};  // all lobes over the density; zero ends the path
@@ -41,6 +48,10 @@ struct BsdfSample {
     float pdf = 0.0f;        // of a smooth lobe, 1/sr
     bool ideal = false;      // mirror or glass: no density
 };
-BsdfSample sample_bsdf(const ShadingPoint& point, Random& random);
+// flux: of light that comes from wo and leaves along wi, as photons carry it. Radiance is compressed in a
+// denser medium, flux is not; and where the shading normal is not the geometric one, what a path tracer takes
+// for the surface's reflection is another factor for flux [Veach1997, section 5.3].
+enum class Transport { radiance, flux };
+BsdfSample sample_bsdf(const ShadingPoint& point, Random& random, Transport transport = Transport::radiance);
 
 } // namespace luxel

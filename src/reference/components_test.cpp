@@ -37,16 +37,29 @@ Scene mixed_scene() {
     return scene;
 }
 
+// All that paths can bring.
+ReferenceRequest request_for_paths(const Scene& scene, int side, int spp) {
+    std::vector<std::string> names;
+    for (const std::string& name : component_names)
+        if (name != "caustics_bias") names.push_back(name);
+    ReferenceRequest request = request_for(names, scene.cameras[0], side, spp);
+    request.settings.caustic_method = CausticMethod::paths;
+    return request;
+}
+
 TEST(Components, AddUpToFull) {
     Scene scene = mixed_scene();
     RayCaster rays(scene);
-    Estimate e = render_reference(rays, request_for(component_names, scene.cameras[0], 24, 16));
+    Estimate e = render_reference(rays, request_for_paths(scene, 24, 16));
     double specular = 0.0;
     for (std::size_t i = 0; i < e.mean["full"].data.size(); ++i) {
         float sum = e.mean["direct"].data[i] + e.mean["diffuse"].data[i] + e.mean["specular"].data[i];
         EXPECT_NEAR(e.mean["full"].data[i], sum, 1e-5f * std::max(1.0f, sum));
         EXPECT_LE(e.mean["diffuse1"].data[i], e.mean["diffuse"].data[i] * 1.00001f);
         EXPECT_GE(e.mean["specular"].data[i], -1e-5f);
+        EXPECT_LE(e.mean["reflections"].data[i] + e.mean["caustics"].data[i],
+                  e.mean["specular"].data[i] * 1.0001f + 1e-5f)
+            << "they are parts of it";
         specular += double(e.mean["specular"].data[i]);
     }
     EXPECT_GT(specular, 0.0) << "the scene must exercise all components";
@@ -56,9 +69,11 @@ TEST(Components, AddUpToFull) {
 TEST(Components, AloneAndTogetherAgree) {
     Scene scene = mixed_scene();
     RayCaster rays(scene);
-    Estimate all = render_reference(rays, request_for(component_names, scene.cameras[0], 32, 64));
-    for (const std::string& name : component_names) {
-        auto request = request_for({name}, scene.cameras[0], 32, 64);
+    const ReferenceRequest together = request_for_paths(scene, 32, 64);
+    Estimate all = render_reference(rays, together);
+    for (const std::string& name : together.components) {
+        auto request = together;
+        request.components = {name};
         request.settings.seed = 7;
         Estimate alone = render_reference(rays, request);
         EXPECT_LT(std::abs(welch(measure(all, name), measure(alone, name))), z_999) << name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/content_key.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -94,6 +95,17 @@ std::uint64_t content_key(const Scene& scene, const ReferenceRequest& request) {
     for (float value : {c.yfov, c.near, c.far, request.settings.ao_radius}) key.add(value);
     const ReferenceSettings& s = request.settings;
     for (int value : {s.max_bounces, s.seed, int(s.pixel_center), int(s.ao_membership)}) key.add(value);
+
+    // Settings that other components do not depend on must not part them from what is stored of them.
+    const auto asks_for = [&](std::string_view prefix) {
+        return std::any_of(request.components.begin(), request.components.end(),
+                           [&](const std::string& name) { return name.starts_with(prefix); });
+    };
+    if (asks_for("reflections")) key.add(s.specular_depth), key.add(s.specular_roughness);
+    if (asks_for("caustics")) {
+        key.add(int(s.caustic_method)), key.add(s.specular_roughness);
+        key.add(s.photons), key.add(s.photon_radius);
+    }
     return key.value();
 }
 

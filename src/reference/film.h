@@ -10,10 +10,15 @@ namespace luxel {
 
 class Film {
 public:
-    Film(int width, int height, std::vector<std::string> components);
+    // by_photons: names of components that do not come with paths.
+    Film(int width, int height, std::vector<std::string> components,
+         const std::vector<std::string>& by_photons = {});
 
     // One thread per pixel at a time; samples in order. Samples that are not finite count as black.
+    // What paths bring, all components but those by photons,
     void add(int x, int y, int sample, const PathSample& value);
+    // and one component.
+    void add(int x, int y, int sample, std::size_t component, glm::vec3 value);
     Estimate estimate(int spp) const; // without the mask
 
     // The whole state, for checkpoints.
@@ -24,6 +29,8 @@ private:
     int width_, height_;
     std::vector<std::string> components_;
     std::vector<int> channels_;
+    std::vector<bool> by_photons_;
+    std::vector<std::size_t> offset_; // of the component within a pixel
     std::size_t stride_ = 0; // doubles per pixel: sums_per_channel for each channel of each component
     std::vector<double> sums_;
 };

@@ -11,6 +11,16 @@ std::size_t find_in(const std::vector<float>& cumulative, float u) {
     return std::min(std::size_t(found - cumulative.begin()), cumulative.size() - 1);
 }
 
+Ray shadow_ray(const ShadingPoint& point, const LightArrival& light) {
+    Ray ray{point.origin(light.wi), light.wi};
+    if (!light.infinite) {
+        // Punctual lights may touch the lamp that holds them; points on emitters are already moved off.
+        ray.direction = light.target - ray.origin;
+        ray.t_max = light.pdf > 0.0f ? 1.0f : 0.9999f;
+    }
+    return ray;
+}
+
 LightSampler::LightSampler(const Scene& scene)
     : scene_(&scene), environment_(scene.environment), pdf_(scene.instances.size()) {
     // Power of each, summed in double: there may be millions. Black triangles would only waste samples.

@@ -19,6 +19,9 @@ struct LightArrival {
     float pdf;          // 1/sr for MIS with BSDF sampling; 0 for lights that BSDF sampling cannot meet
 };
 
+// From the surface to the light, ending before what sends it.
+Ray shadow_ray(const ShadingPoint& point, const LightArrival& light);
+
 class LightSampler {
 public:
     explicit LightSampler(const Scene& scene);

@@ -17,12 +17,7 @@ float power_heuristic(float pdf, float other) {
 } // namespace
 
 bool PathTracer::occluded(const ShadingPoint& point, const LightArrival& light) const {
-    Ray ray{point.origin(light.wi), light.wi};
-    if (!light.infinite) {
-        // Punctual lights may touch the lamp that holds them; points on emitters are already moved off.
-        ray.direction = light.target - ray.origin;
-        ray.t_max = light.pdf > 0.0f ? 1.0f : 0.9999f;
-    }
+    const Ray ray = shadow_ray(point, light);
     if (options_.log) options_.log->entries.push_back({ray, true});
     return rays_->occluded(ray);
 }

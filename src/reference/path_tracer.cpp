@@ -18,7 +18,7 @@ float largest(glm::vec3 v) { return std::max(std::max(v.x, v.y), v.z); }
 
 } // namespace
 
-WantedComponents::WantedComponents(const std::vector<std::string>& names) {
+WantedComponents::WantedComponents(const std::vector<std::string>& names, CausticMethod caustic_method) {
     for (const std::string& name : names) {
         bool full = name == "full";
         direct |= full || name == "direct";
@@ -26,14 +26,16 @@ WantedComponents::WantedComponents(const std::vector<std::string>& names) {
         diffuse1_unoccluded |= name == "diffuse1_unoccluded";
         diffuse |= full || name == "diffuse";
         specular |= full || name == "specular";
+        reflections |= name == "reflections";
+        caustics |= name == "caustics" && caustic_method == CausticMethod::paths;
         ao |= name == "ao";
     }
 }
 
 PathTracer::PathTracer(const RayCaster& rays, const ReferenceRequest& request,
                        const PathTracerOptions& options)
-    : rays_(&rays), scene_(&rays.scene()), settings_(request.settings), wanted_(request.components),
-      options_(options), lights_(rays.scene()),
+    : rays_(&rays), scene_(&rays.scene()), settings_(request.settings),
+      wanted_(request.components, request.settings.caustic_method), options_(options), lights_(rays.scene()),
       camera_(camera_basis(request.camera, request.width, request.height)), near_(request.camera.near),
       far_(request.camera.far), width_(request.width), height_(request.height) {}
 
@@ -50,6 +52,10 @@ bool PathTracer::intersect(const Ray& ray, Hit& hit) const {
 bool PathTracer::is_wanted(const Path& path, bool by_ideal_lobe) const {
     if (path.vertex == 1 && !by_ideal_lobe) return wanted_.direct;
     if (wanted_.specular) return true;
+    if (wanted_.reflections && is_reflection(path.vertex - (by_ideal_lobe ? 0 : 1)) &&
+        path.reflected + path.reflected_smooth != glm::vec3(0.0f))
+        return true;
+    if (wanted_.caustics && path.vertex >= 2 && path.caustic != glm::vec3(0.0f)) return true;
     return path.diffuse != glm::vec3(0.0f) && (wanted_.diffuse || (wanted_.diffuse1 && path.vertex == 2));
 }
 
@@ -57,6 +63,8 @@ bool PathTracer::is_wanted(const Path& path, bool by_ideal_lobe) const {
 bool PathTracer::more_is_wanted(const Path& path) const {
     if (path.vertex > settings_.max_bounces) return false;
     if (wanted_.specular) return true;
+    if (wanted_.reflections && is_reflection(path.vertex) && path.reflected != glm::vec3(0.0f)) return true;
+    if (wanted_.caustics && path.caustic != glm::vec3(0.0f)) return true;
     return path.diffuse != glm::vec3(0.0f) && (wanted_.diffuse || (wanted_.diffuse1 && path.vertex == 1));
 }
 
@@ -65,6 +73,11 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     BsdfSample sample = sample_bsdf(point, path.random);
     path.beta *= sample.weight;
     path.diffuse *= sample.diffuse;
+    const bool specular = sample.ideal || has_specular_ggx(*point.surface, settings_.specular_roughness);
+    const glm::vec3 by_specular = specular ? sample.weight - sample.diffuse : glm::vec3(0.0f);
+    path.reflected_smooth = path.reflected * sample.weight;
+    path.reflected *= by_specular;
+    path.caustic *= path.vertex == 1 ? sample.diffuse : by_specular;
     path.pdf = sample.pdf;
     path.ideal = sample.ideal;
     bool can_meet_light =
@@ -77,10 +90,11 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     // ones.
     if (path.vertex >= roulette_vertex) {
         float survival =
-            std::min(1.0f, largest(wanted_.specular ? path.beta : path.diffuse) / roulette_share);
+            std::min(1.0f, largest(wanted_.specular_lobes() ? path.beta : path.diffuse) / roulette_share);
         if (path.random.next() >= survival) return false;
-        path.beta /= survival;
-        path.diffuse /= survival;
+        for (glm::vec3* throughput :
+             {&path.beta, &path.diffuse, &path.reflected, &path.reflected_smooth, &path.caustic})
+            *throughput /= survival;
     }
     path.ray = {point.origin(sample.wi), sample.wi};
     return true;
@@ -106,10 +120,25 @@ Path PathTracer::start(int x, int y, int sample, const FirstVertex* first) const
     return path;
 }
 
+// What the ray meets was sent by the last vertex: by an ideal lobe, or it is the other half of the light that
+// this vertex reflects straight from its sources.
+void PathTracer::add_met(Path& path, glm::vec3 met) const {
+    path.add(path.beta * met, path.diffuse * met, path.ideal);
+    if (is_reflection(path.ideal ? path.vertex : path.vertex - 1))
+        path.result.reflections += (path.ideal ? path.reflected : path.reflected_smooth) * met;
+    if (path.vertex >= 2) path.result.caustics += path.caustic * met;
+}
+
+void PathTracer::add_lit(Path& path, const Surface& surface, const BsdfValue& lit) const {
+    path.add(path.beta * lit.sum(), path.diffuse * lit.diffuse, false);
+    if (is_reflection(path.vertex - 1)) path.result.reflections += path.reflected * lit.sum();
+    if (path.vertex >= 2 && has_specular_ggx(surface, settings_.specular_roughness))
+        path.result.caustics += path.caustic * lit.specular;
+}
+
 // Past all surfaces there is the environment.
 void PathTracer::finish(Path& path) const {
-    glm::vec3 met = environment_met(path.ray.direction, path.pdf);
-    path.add(path.beta * met, path.diffuse * met, path.ideal);
+    add_met(path, environment_met(path.ray.direction, path.pdf));
     path.alive = false;
 }
 
@@ -131,7 +160,7 @@ BsdfValue PathTracer::lit_by_lights(Path& path, const ShadingPoint& point) const
 // Whether nothing that was asked for depends on where the other lobes would send the path. (Emission that
 // direct light finds by their sampling does.)
 bool PathTracer::only_lambertian_matters(const Path& path) const {
-    if (wanted_.specular) return false;
+    if (wanted_.specular_lobes()) return false;
     return path.vertex > 1 || !wanted_.direct || (!lights_.has_emitters() && !lights_.has_environment());
 }
 
@@ -142,8 +171,7 @@ void PathTracer::step(Path& path) const {
     // The surface may emit.
     Surface surface = path.first && path.vertex == 0 ? path.first->surface
                                                      : surface_at(*scene_, path.hit, path.ray.direction);
-    glm::vec3 met = emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf);
-    path.add(path.beta * met, path.diffuse * met, path.ideal);
+    add_met(path, emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf));
     ++path.vertex;
     const bool lambertian = only_lambertian_matters(path);
     if (lambertian && path.vertex > 1) surface = lambertian_part(surface);
@@ -153,10 +181,7 @@ void PathTracer::step(Path& path) const {
     if (!lit_is_wanted && !more_is_wanted(path)) return;
 
     // It reflects light that comes straight from its sources, and light from the next surface.
-    if (lit_is_wanted) {
-        const BsdfValue lit = lit_by_lights(path, point);
-        path.add(path.beta * lit.sum(), path.diffuse * lit.diffuse, false);
-    }
+    if (lit_is_wanted) add_lit(path, surface, lit_by_lights(path, point));
     path.from = surface.position;
     if (lambertian && path.vertex == 1) {
         surface = lambertian_part(surface);

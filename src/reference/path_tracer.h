@@ -14,7 +14,8 @@ namespace luxel {
 
 // Radiance of one path, by component.
 struct PathSample {
-    glm::vec3 direct{0.0f}, diffuse1{0.0f}, diffuse1_unoccluded{0.0f}, diffuse{0.0f}, specular{0.0f};
+    glm::vec3 direct{0.0f}, diffuse1{0.0f}, diffuse1_unoccluded{0.0f}, diffuse{0.0f}, specular{0.0f},
+        reflections{0.0f}, caustics{0.0f};
     float ao = 0.0f;
     glm::vec3 full() const { return direct + diffuse + specular; }
 };
@@ -22,9 +23,10 @@ struct PathSample {
 // What to compute; paths end where nothing asked for can follow.
 struct WantedComponents {
     bool direct = false, diffuse1 = false, diffuse1_unoccluded = false, diffuse = false, specular = false,
-         ao = false;
-    explicit WantedComponents(
-        const std::vector<std::string>& names); // `full` is direct, diffuse and specular
+         reflections = false, caustics = false, ao = false;
+    // `full` is direct, diffuse and specular; caustics may be left to photons.
+    WantedComponents(const std::vector<std::string>& names, CausticMethod caustic_method);
+    bool specular_lobes() const { return specular || reflections || caustics; }
 };
 
 // Tests hold the strategies against each other: their means must agree.
@@ -69,11 +71,14 @@ struct Path {
     bool found = false;      // if it meets a surface
     std::size_t emitter = 0; // chosen for the surface that the ray meets
     PathSample result;
-    int vertex = 0;          // surfaces met so far
-    glm::vec3 beta{1.0f};    // throughput of all lobes
-    glm::vec3 diffuse{1.0f}; // throughput if every vertex so far reflected by its Lambertian lobe
-    bool ideal = false;      // the lobe that sent the present ray
-    float pdf = 0.0f;        // of the present ray, where the lobe was smooth
+    int vertex = 0;                   // surfaces met so far
+    glm::vec3 beta{1.0f};             // throughput of all lobes
+    glm::vec3 diffuse{1.0f};          // throughput if every vertex so far reflected by its Lambertian lobe
+    glm::vec3 reflected{1.0f};        // throughput if all vertices so far had been specular (see bsdf.h)
+    glm::vec3 reflected_smooth{0.0f}; // the same, but all smooth lobes of the last one
+    glm::vec3 caustic{1.0f};          // throughput if the first was Lambertian, all others specular
+    bool ideal = false;               // the lobe that sent the present ray
+    float pdf = 0.0f;                 // of the present ray, where the lobe was smooth
 
     // Light that the last of `vertex` surfaces sends along the path: `all` lobes of it, `lambert` its diffuse
     // part, the throughputs of what lies before included; `by_ideal_lobe`: of mirror or glass.
@@ -146,6 +151,11 @@ private:
     void finish(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;
     BsdfValue lit_by_lights(Path& path, const ShadingPoint& point) const;
+    void add_met(Path& path, glm::vec3 met) const; // emission that the path's ray meets
+    void add_lit(Path& path, const Surface& surface, const BsdfValue& lit) const;
+    bool is_reflection(int specular_vertices) const {
+        return specular_vertices >= 1 && specular_vertices <= settings_.specular_depth;
+    }
     bool only_lambertian_matters(const Path& path) const;
     bool is_wanted(const Path& path, bool by_ideal_lobe) const;
     bool more_is_wanted(const Path& path) const;

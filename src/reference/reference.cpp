@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "reference/caustics.h"
 #include "reference/checkpoint.h"
 #include "reference/content_key.h"
 #include "reference/film.h"
@@ -27,6 +29,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void check(const ReferenceRequest& request) {
     if (request.width <= 0 || request.height <= 0 || request.width > max_image_side ||
         request.height > max_image_side)
@@ -35,7 +41,7 @@ void check(const ReferenceRequest& request) {
     if (request.components.empty())
         fail(Fault::usage, "reference: no component asked for; known: {}", fmt::join(component_names, ", "));
     for (const std::string& name : request.components)
-        if (std::find(component_names.begin(), component_names.end(), name) == component_names.end())
+        if (!contains(component_names, name))
             fail(Fault::usage, "reference: unknown component \"{}\"; known: {}", name,
                  fmt::join(component_names, ", "));
     if (request.settings.spp < 1) fail(Fault::usage, "reference: spp is {}, below 1", request.settings.spp);
@@ -51,12 +57,39 @@ template <class Body> void for_each_pixel(int width, int height, Body&& body) {
     });
 }
 
-// Components once each: a name given twice is one layer.
-std::vector<std::string> unique(const std::vector<std::string>& names) {
+// Components once each: a name given twice is one layer. Photons never come without what their radius does.
+std::vector<std::string> unique(const ReferenceRequest& request) {
+    const bool photons = request.settings.caustic_method == CausticMethod::photons;
     std::vector<std::string> result;
     for (const std::string& name : component_names)
-        if (std::find(names.begin(), names.end(), name) != names.end()) result.push_back(name);
+        if (contains(request.components, name) ||
+            (name == "caustics_bias" && photons && contains(request.components, "caustics")))
+            result.push_back(name);
     return result;
+}
+
+// What photons are traced for.
+std::vector<std::string> photon_components(const ReferenceRequest& request) {
+    std::vector<std::string> names;
+    for (const std::string& name : request.components)
+        if (name == "caustics_bias" ||
+            (name == "caustics" && request.settings.caustic_method == CausticMethod::photons))
+            names.push_back(name);
+    return names;
+}
+
+// One pass of photons for each sample of the pixels.
+void add_photons(const CausticTracer& tracer, const std::vector<std::string>& components, int first,
+                 int count, Film& film) {
+    const auto place = [&](const char* name) {
+        return std::size_t(std::find(components.begin(), components.end(), name) - components.begin());
+    };
+    const std::size_t caustics = place("caustics"), bias = place("caustics_bias");
+    for (int pass = first; pass < first + count; ++pass)
+        tracer.trace_pass(pass, [&](int x, int y, glm::vec3 light, glm::vec3 of_radius) {
+            if (caustics < components.size()) film.add(x, y, pass, caustics, light);
+            film.add(x, y, pass, bias, of_radius);
+        });
 }
 
 // Samples of the next pass: whole blocks between looks at the error; single samples where the clock decides.
@@ -77,6 +110,11 @@ void ReferenceSettings::visit(Visitor& v) {
     v.real("ao_radius", ao_radius, {1e-6, 1e6}, "radius of ambient occlusion, meters");
     v.choice("ao_membership", ao_membership, membership_names,
              "how an occluder's weight falls with distance");
+    v.integer("specular_depth", specular_depth, {1, 1 << 20}, "most specular vertices of reflections");
+    v.real("specular_roughness", specular_roughness, {0, 1}, "up to here the GGX lobe counts as specular");
+    v.choice("caustic_method", caustic_method, caustic_method_names, "how caustics are computed");
+    v.integer("photons", photons, {1, 1 << 28}, "photons of a pass, which is a sample of every pixel");
+    v.real("photon_radius", photon_radius, {1e-3, 1e3}, "radius of the photons in the first pass, pixels");
 }
 
 double relative_error(const Estimate& estimate) {
@@ -111,13 +149,38 @@ Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int h
     return mask;
 }
 
+// Products of independent groups have no noise in their mean: what is left is the square of the bias itself.
+CausticError caustic_error(const Estimate& estimate) {
+    const auto found = estimate.mean.find("caustics");
+    if (found == estimate.mean.end()) return {};
+    double level = 0.0, noise = 0.0, bias = 0.0; // squares
+    for (int y = 0; y < estimate.height; ++y)
+        for (int x = 0; x < estimate.width; ++x) {
+            const double mean = double(luminance(found->second.rgb(x, y)));
+            const double error = double(luminance(glm::sqrt(estimate.variance.at("caustics").rgb(x, y))));
+            level += mean * mean, noise += error * error;
+            if (!estimate.mean.contains("caustics_bias")) continue;
+            double all = 0.0, squares = 0.0;
+            for (const Layers& group : estimate.group) {
+                const double b = double(luminance(group.at("caustics_bias").rgb(x, y)));
+                all += b, squares += b * b;
+            }
+            bias += (all * all - squares) / double(sample_groups * (sample_groups - 1));
+        }
+    if (level <= 0.0) return {};
+    return {std::sqrt(noise / level), std::sqrt(std::max(bias / level, 0.0))};
+}
+
 Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) {
     check(asked);
     ReferenceRequest request = asked;
-    request.components = unique(asked.components);
+    request.components = unique(asked);
     const ReferenceSettings& settings = request.settings;
     PathTracer tracer(rays, request);
-    Film film(request.width, request.height, request.components);
+    const std::vector<std::string> by_photons = photon_components(request);
+    std::optional<CausticTracer> caustics;
+    if (!by_photons.empty()) caustics.emplace(rays, request);
+    Film film(request.width, request.height, request.components, by_photons);
 
     // Go on where an earlier run of the same inputs stopped.
     CheckpointFound found;
@@ -140,10 +203,12 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
     // Every pixel adds its samples in order, whichever thread it meets: the sums do not depend on scheduling.
     while (spp < settings.spp) {
         const int count = next_pass(settings, spp);
-        for_each_pixel(request.width, request.height, [&](int x, int y) {
-            tracer.trace_samples(x, y, spp, count,
-                                 [&](int s, const PathSample& value) { film.add(x, y, s, value); });
-        });
+        if (by_photons.size() < request.components.size())
+            for_each_pixel(request.width, request.height, [&](int x, int y) {
+                tracer.trace_samples(x, y, spp, count,
+                                     [&](int s, const PathSample& value) { film.add(x, y, s, value); });
+            });
+        if (caustics) add_photons(*caustics, request.components, spp, count, film);
         spp += count;
         progress.update(double(spp) / settings.spp);
         if (seconds_since(last_save) > checkpoint_seconds) save();

@@ -24,17 +24,32 @@ namespace luxel {
 //                        layers)
 //   diffuse              E D D+ L: all diffuse bounces
 //   specular             full - direct - diffuse: every path with a specular lobe beyond direct light
+//   reflections          E S+ then direct: the radiance that `direct` holds for a surface (emission, and
+//   light
+//                        straight from its sources by all smooth lobes) as seen after 1 to specular_depth
+//                        specular vertices, or the environment: what a tracer computes that follows specular
+//                        surfaces so deep and returns the direct light of what it ends at. Part of specular.
+//   caustics             E D S+ L: light that reaches a Lambertian surface through specular vertices alone.
+//                        Part of specular. By photons, unless caustic_method asks for paths
+//   caustics_bias        what the photons' radius adds to `caustics`, signed, estimated from two radii; comes
+//                        along with it
 //   full                 everything
 //   ao                   cosine-weighted occlusion-free share, radius R, see Membership; 1 = open
+// Specular (S) are mirrors, glass, and the GGX lobe where the roughness is at most specular_roughness.
 // Pixels that see no surface: direct and full hold the environment's radiance; the others 0.
 inline const std::vector<std::string> component_names = {
-    "direct", "diffuse1", "diffuse1_unoccluded", "diffuse", "specular", "full", "ao"};
+    "direct",      "diffuse1", "diffuse1_unoccluded", "diffuse", "specular",
+    "reflections", "caustics", "caustics_bias",       "full",    "ao"};
 
 // How far an occluder at distance d < R leaves its direction open: 0, sqrt(d/R), (d/R)^3. tangent: the open
 // share of the sphere of radius R/2 that touches the surface, whose chord is R cos: (d/(R cos))^3 with cos^3
 // as weight of directions [Umenhoffer2009, eq. 4.6]. exponential: 1 - exp(-d/R), without an end.
 enum class Membership { step, sqrt, cubic, tangent, exponential };
 inline const std::vector<std::string> membership_names = {"step", "sqrt", "cubic", "tangent", "exponential"};
+
+// paths: unbiased, but blind to point lights and noisy with small ones.
+enum class CausticMethod { photons, paths };
+inline const std::vector<std::string> caustic_method_names = {"photons", "paths"};
 
 struct ReferenceSettings {
     int spp = 64;         // upper bound
@@ -46,6 +61,11 @@ struct ReferenceSettings {
         false; // one sub-pixel position, as a rasterizer's; otherwise the pixel's area is integrated
     float ao_radius = 1.0f; // meters
     Membership ao_membership = Membership::step;
+    int specular_depth = 8;          // of `reflections`
+    float specular_roughness = 0.2f; // up to here a GGX lobe counts as specular
+    CausticMethod caustic_method = CausticMethod::photons;
+    int photons = 200000;       // a pass; every sample of the pixels is a pass
+    float photon_radius = 2.0f; // pixels, of the first pass
     void visit(Visitor& v);
 };
 
@@ -64,6 +84,14 @@ struct Estimate {
 // Mean over the pixels that are not black of standard error over mean, in luminance, of `full`, or of the
 // first component where full is absent.
 double relative_error(const Estimate& estimate);
+
+// How far `caustics` is off, as root mean squares over the pixels, in luminance, relative to that of the
+// image itself: by noise, and by the radius of the photons (0 where paths were traced), whose own noise is
+// taken out.
+struct CausticError {
+    double noise = 0, bias = 0;
+};
+CausticError caustic_error(const Estimate& estimate);
 
 struct ReferenceRequest {
     std::vector<std::string> components; // of component_names

@@ -112,8 +112,8 @@ Scene glass_sphere() {
     Scene scene;
     scene.name = "glass-sphere";
     add_gray_room(scene);
-    add_sphere(add_specular_object(scene, glass("sphere", 1.5f)), {0.0f, 0.6f, 0.0f}, 0.4f, slices, stacks);
-    scene.lights = {spot_light({0.5f, 1.95f, 0.2f}, {0.0f, 0.6f, 0.0f}, 10.0f, 25.0f, 40.0f)};
+    add_sphere(add_specular_object(scene, glass("sphere", 1.5f)), {0.0f, 0.62f, 0.0f}, 0.3f, slices, stacks);
+    scene.lights = {spot_light({0.5f, 1.95f, 0.2f}, {0.0f, 0.62f, 0.0f}, 10.0f, 25.0f, 40.0f)};
     scene.cameras = {camera_at({0.0f, 1.4f, 3.6f}, {0.0f, 0.6f, 0.0f}, 34.0f)};
     return scene;
 }
@@ -124,8 +124,8 @@ Scene metal_ring() {
     add_quad_object(scene, lambertian("floor", glm::vec3(0.7f)), {-2, 0, -2}, {0, 0, 4}, {4, 0, 0});
     add_ring(add_specular_object(scene, mirror("ring", {0.95f, 0.8f, 0.5f})), glm::vec3(0.0f), 0.5f, 0.53f,
              0.3f);
-    scene.lights = {point_light({1.0f, 1.1f, -0.5f}, 6.0f)};
-    scene.cameras = {camera_at({0.0f, 1.7f, 1.6f}, {0.0f, 0.0f, 0.05f}, 38.0f)};
+    scene.lights = {point_light({1.2f, 0.95f, 1.5f}, 10.0f)};
+    scene.cameras = {camera_at({0.0f, 2.5f, 1.1f}, {0.0f, 0.0f, -0.05f}, 34.0f)};
     return scene;
 }
 

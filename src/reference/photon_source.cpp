@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "reference/photon_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "shared/sampling.h"
+
+namespace luxel {
+namespace {
+
+constexpr float by_area = 0.1f;             // share of the photons that the first look does not place
+constexpr std::size_t most_rays = 1u << 20; // of the first look
+constexpr int lights_for_area = 32;         // that stand for emitters and for the environment in it
+constexpr std::size_t tests_a_light = 4;    // of a triangle, where there are few triangles
+
+// Textures can only lower a material's roughness and transmission.
+bool may_be_specular(const Material& m, float specular_roughness) {
+    return m.transmission > 0.0f || m.roughness <= specular_roughness ||
+           m.metallic_roughness_texture.texture >= 0;
+}
+
+Hit hit_at(std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv, glm::vec3 normal) {
+    return {0.0f, instance, triangle, uv.x, uv.y, normal, nullptr};
+}
+
+// Uniform on the triangle [Turk1990].
+glm::vec2 on_triangle(glm::vec2 u) {
+    const float root = std::sqrt(u.x);
+    return {root * (1.0f - u.y), root * u.y};
+}
+
+} // namespace
+
+PhotonSource::PhotonSource(const RayCaster& rays, float specular_roughness)
+    : rays_(&rays), scene_(&rays.scene()), specular_roughness_(specular_roughness), lights_(rays.scene()) {
+    find_targets();
+    const bool lit = lights_.punctual_count() > 0 || lights_.has_emitters() || lights_.has_environment();
+    if (!lit) targets_.clear();
+    if (!targets_.empty()) look_at_targets();
+}
+
+void PhotonSource::find_targets() {
+    for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
+        const Instance& instance = scene_->instances[i];
+        const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
+        if (!may_be_specular(scene_->materials[std::size_t(mesh.material)], specular_roughness_)) continue;
+        for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
+            const ShadingTriangle s = shading_triangle(*scene_, i, t);
+            const glm::vec3 &a = s.positions[0], &b = s.positions[1], &c = s.positions[2];
+            const float area = glm::length(glm::cross(b - a, c - a)) * 0.5f;
+            if (area > 0.0f) targets_.push_back({a, b, c, i, t, area, 0.0f});
+        }
+    }
+}
+
+namespace {
+
+// A light of the first look, and the kind that it stands for.
+struct LookLight {
+    shared::Light light;
+    int kind;
+};
+
+std::vector<LookLight> lights_to_look_from(const Scene& scene) {
+    std::vector<LookLight> lights;
+    const auto add = [&](const std::vector<shared::Light>& some, int kind) {
+        for (const shared::Light& light : some) lights.push_back({light, kind});
+    };
+    add(scene.lights, 0);
+    add(emitter_sample_lights(scene, lights_for_area, 1), 1);
+    if (!scene.environment.empty()) add(environment_sample_lights(scene.environment, lights_for_area, 1), 2);
+    return lights;
+}
+
+} // namespace
+
+void PhotonSource::look_at_targets() {
+    const std::vector<LookLight> lights = lights_to_look_from(*scene_);
+    const std::size_t tests = lights.empty() ? 0
+                                             : std::clamp(most_rays / targets_.size(), std::size_t(1),
+                                                          lights.size() * tests_a_light);
+    std::vector<std::array<double, kind_count>> sent(targets_.size());
+
+    // Light that a triangle sends on, by the kinds of light: points of it, each asked for one of the lights.
+    parallel_for(targets_.size(), 64, [&](std::size_t i) {
+        const Target& target = targets_[i];
+        const glm::vec3 normal = glm::cross(target.b - target.a, target.c - target.a);
+        for (std::size_t k = 0; k < tests; ++k) {
+            const shared::uint key = shared::hash2(shared::uint(i), shared::uint(k));
+            const glm::vec2 uv =
+                on_triangle({shared::uniform_float(key), shared::uniform_float(shared::pcg(key))});
+            const glm::vec3 p = target.a + (target.b - target.a) * uv.x + (target.c - target.a) * uv.y;
+            const LookLight& from = lights[(k + shared::hash2(key, 1u)) % lights.size()];
+            const shared::LightSample light = shared::sample_light(from.light, p);
+            if (light.irradiance == glm::vec3(0.0f)) continue;
+            const Surface surface = specular_part(
+                surface_at(*scene_, hit_at(target.instance, target.triangle, uv, normal), -light.wi),
+                specular_roughness_);
+            const ShadingPoint point(surface, -light.wi);
+            const float share =
+                surface.transmission + luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
+                                                                         glm::dot(point.normal, point.wo)));
+            const float level =
+                luminance(light.irradiance) * std::abs(glm::dot(surface.geometric_normal, light.wi)) * share;
+            const bool far = from.light.type == shared::LIGHT_DIRECTIONAL;
+            if (level <= 0.0f ||
+                rays_->occluded(shadow_ray(point, {light.wi, from.light.position, far, {}, 0.0f})))
+                continue;
+            sent[i][std::size_t(from.kind)] +=
+                double(level * target.area) * double(lights.size()) / double(tests);
+        }
+    });
+
+    // Chances of triangles and of kinds of light. What exists keeps some whatever the look has found.
+    double total_area = 0.0, total = 0.0;
+    std::array<double, kind_count> by_kind{};
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        total_area += double(targets_[i].area);
+        for (std::size_t k = 0; k < kind_count; ++k) by_kind[k] += sent[i][k], total += sent[i][k];
+    }
+    const double placed = total > 0.0 ? 1.0 - double(by_area) : 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+        const double light = sent[i][0] + sent[i][1] + sent[i][2];
+        const double chance = (1.0 - placed) * double(targets_[i].area) / total_area +
+                              (total > 0.0 ? placed * light / total : 0.0);
+        targets_[i].chance = float(chance);
+        cumulative_.push_back(sum += chance);
+    }
+    const bool exists[kind_count] = {lights_.punctual_count() > 0, lights_.has_emitters(),
+                                     lights_.has_environment()};
+    const double kinds = double(exists[0]) + double(exists[1]) + double(exists[2]);
+    for (std::size_t k = 0; k < kind_count; ++k)
+        if (exists[k])
+            kind_chance_[k] =
+                float((1.0 - placed) / kinds + (total > 0.0 ? placed * by_kind[k] / total : 0.0));
+}
+
+// Of many punctual lights one is chosen by what it would send.
+LightArrival PhotonSource::one_punctual(glm::vec3 position, glm::vec3 normal, float u) const {
+    const auto level = [&](const shared::Light& light) {
+        const shared::LightSample s = shared::sample_light(light, position);
+        return luminance(s.irradiance) * std::abs(glm::dot(normal, s.wi));
+    };
+    float total = 0.0f;
+    for (const shared::Light& light : scene_->lights) total += level(light);
+    LightArrival none{{}, {}, false, glm::vec3(0.0f), 0.0f};
+    float left = u * total;
+    for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
+        const float share = level(scene_->lights[i]);
+        left -= share;
+        if (share <= 0.0f || (left >= 0.0f && i + 1 < scene_->lights.size())) continue;
+        LightArrival arrival = lights_.punctual(i, position);
+        arrival.radiance *= total / share;
+        return arrival;
+    }
+    return none;
+}
+
+LightArrival PhotonSource::arrival(Kind kind, glm::vec3 position, glm::vec3 normal, Random& random) const {
+    const float u = random.next();
+    const glm::vec2 v = random.next2();
+    switch (kind) {
+    case punctual:
+        return one_punctual(position, normal, u);
+    case emitter:
+        return lights_.sample_emitter(lights_.choose_emitter(u), position, v);
+    default:
+        return lights_.sample_environment(v);
+    }
+}
+
+std::optional<PhotonPath> PhotonSource::start(Random& random) const {
+    const double u = double(random.next()) * cumulative_.back();
+    const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), u) - cumulative_.begin();
+    const Target& target = targets_[std::min(std::size_t(chosen), targets_.size() - 1)];
+    const glm::vec2 uv = on_triangle(random.next2());
+    const glm::vec3 position = target.a + (target.b - target.a) * uv.x + (target.c - target.a) * uv.y;
+    const glm::vec3 normal = glm::normalize(glm::cross(target.b - target.a, target.c - target.a));
+
+    // A kind of light, then one of its lights.
+    float w = random.next();
+    std::size_t kind = 0;
+    while (kind + 1 < kind_count && w >= kind_chance_[kind]) w -= kind_chance_[kind++];
+    while (kind > 0 && kind_chance_[kind] <= 0.0f) --kind;
+    const LightArrival light = arrival(Kind(kind), position, normal, random);
+    if (light.radiance == glm::vec3(0.0f) || target.chance <= 0.0f) return std::nullopt;
+    if (is_transparent(*scene_, target.instance, target.triangle, uv)) return std::nullopt;
+
+    const Surface surface =
+        surface_at(*scene_, hit_at(target.instance, target.triangle, uv, normal), -light.wi);
+    PhotonPath path;
+    path.ray.direction = -light.wi;
+    path.power = light.radiance * (std::abs(glm::dot(surface.geometric_normal, light.wi)) * target.area /
+                                   (target.chance * kind_chance_[kind]));
+    const ShadingPoint point(surface, -light.wi);
+    if (rays_->occluded(shadow_ray(point, light))) return std::nullopt;
+    if (!scatter_photon(path, surface, specular_roughness_, random)) return std::nullopt;
+    return path;
+}
+
+bool scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness, Random& random) {
+    const Surface specular = specular_part(surface, specular_roughness);
+    const ShadingPoint point(specular, path.ray.direction);
+    const BsdfSample sample = sample_bsdf(point, random, Transport::flux);
+    const float strongest = std::max(std::max(sample.weight.x, sample.weight.y), sample.weight.z);
+    if (!(strongest > 0.0f)) return false;
+    const float survival = std::min(strongest, 1.0f);
+    if (random.next() >= survival) return false;
+    path.power *= sample.weight / survival;
+    path.ray = {point.origin(sample.wi), sample.wi};
+    return true;
+}
+
+} // namespace luxel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Where the photons of caustics start: at the first specular surface of a path, found by area, its light by
+// the samplers of next-event estimation. It does for any light what a projection map [Jensen2001,
+// section 7.2.1] does for a point light: no photon is sent where nothing specular is.
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "reference/light_sampler.h"
+#include "scene/lights.h"
+
+namespace luxel {
+
+// Light on its way from a specular surface.
+struct PhotonPath {
+    Ray ray;
+    glm::vec3 power; // W
+};
+
+class PhotonSource {
+public:
+    // Keeps a reference to `rays` and its scene. A first look at all that may be specular tells how much
+    // light each triangle would send on; photons are drawn by that, and some by area for what the look has
+    // missed.
+    PhotonSource(const RayCaster& rays, float specular_roughness);
+
+    bool empty() const { return targets_.empty(); }
+    // The mean of what photons carry is the light that leaves specular surfaces which lights reach directly.
+    // Nothing where the drawn light does not reach the drawn point.
+    std::optional<PhotonPath> start(Random& random) const;
+
+private:
+    enum Kind { punctual, emitter, environment, kind_count };
+    struct Target {
+        glm::vec3 a, b, c;
+        std::uint32_t instance, triangle;
+        float area;
+        float chance; // of being drawn
+    };
+    // Light of one kind at a point of a surface with this normal; its radiance is over the chance of choosing
+    // it.
+    LightArrival arrival(Kind kind, glm::vec3 position, glm::vec3 normal, Random& random) const;
+    LightArrival one_punctual(glm::vec3 position, glm::vec3 normal, float u) const;
+
+    void find_targets();
+    void look_at_targets();
+
+    const RayCaster* rays_;
+    const Scene* scene_;
+    float specular_roughness_;
+    LightSampler lights_;
+    std::vector<Target> targets_;
+    std::vector<double> cumulative_; // chances up to and with target i
+    std::array<float, kind_count> kind_chance_{};
+};
+
+// Continues a path of light at a surface by its specular lobes; false where it ends. A path that loses light
+// is ended instead with a chance, so that photons stay equally strong.
+bool scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness, Random& random);
+
+} // namespace luxel
