@@ -173,7 +173,8 @@ TEST(Caustics, ParaboloidGathersItsFluxAtTheFocus) {
 Scene path_traceable_scene() {
     Scene scene;
     add_floor(scene, lambertian(glm::vec3(0.6f)), 6.0f);
-    add_sphere(add_mesh(scene, solid_glass(1.5f)), {-0.6f, 0.6f, 0}, 0.4f, 16, 8);
+    add_sphere(add_mesh(scene, solid_glass(1.5f)), {0.6f, 0.6f, 0}, 0.4f, 16, 8);
+    scene.instances.back().transform[0][0] = -1.0f; // mirrors, which must not turn its inside out
     add_sphere(add_mesh(scene, mirror_of(glm::vec3(0.9f, 0.7f, 0.5f))), {0.5f, 0.4f, 0.3f}, 0.3f, 16, 8);
     Material coated = lambertian(glm::vec3(0.5f));
     coated.specular = 1.0f;

@@ -21,10 +21,6 @@ bool may_be_specular(const Material& m, float specular_roughness) {
            m.metallic_roughness_texture.texture >= 0;
 }
 
-Hit hit_at(std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv, glm::vec3 normal) {
-    return {0.0f, instance, triangle, uv.x, uv.y, normal, nullptr};
-}
-
 // Uniform on the triangle [Turk1990].
 glm::vec2 on_triangle(glm::vec2 u) {
     const float root = std::sqrt(u.x);
@@ -46,11 +42,13 @@ void PhotonSource::find_targets() {
         const Instance& instance = scene_->instances[i];
         const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
         if (!may_be_specular(scene_->materials[std::size_t(mesh.material)], specular_roughness_)) continue;
+        const float winding = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
         for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
             const ShadingTriangle s = shading_triangle(*scene_, i, t);
             const glm::vec3 &a = s.positions[0], &b = s.positions[1], &c = s.positions[2];
-            const float area = glm::length(glm::cross(b - a, c - a)) * 0.5f;
-            if (area > 0.0f) targets_.push_back({a, b, c, i, t, area, 0.0f});
+            const glm::vec3 cross = glm::cross(b - a, c - a) * winding;
+            const float length = glm::length(cross);
+            if (length > 0.0f) targets_.push_back({a, b, c, cross / length, i, t, length * 0.5f, 0.0f});
         }
     }
 }
@@ -76,56 +74,59 @@ std::vector<LookLight> lights_to_look_from(const Scene& scene) {
 
 } // namespace
 
+// Light that the triangle would send on if all of it were as this point, before chances.
+double PhotonSource::sent_on(const Target& target, glm::vec2 uv, const shared::Light& from) const {
+    const shared::LightSample light = shared::sample_light(from, target.at(uv));
+    if (light.irradiance == glm::vec3(0.0f)) return 0.0;
+    const Surface surface =
+        specular_part(surface_at(*scene_, target.hit(uv), -light.wi), specular_roughness_);
+    const ShadingPoint point(surface, -light.wi);
+    const float cosine = std::abs(glm::dot(surface.geometric_normal, light.wi));
+    const float share =
+        surface.transmission + luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
+                                                                 glm::dot(point.normal, point.wo)));
+    const float level = luminance(light.irradiance) * cosine * share;
+    const bool far = from.type == shared::LIGHT_DIRECTIONAL;
+    if (level <= 0.0f || rays_->occluded(shadow_ray(point, {light.wi, from.position, far, {}, 0.0f})))
+        return 0.0;
+    return double(level * target.area);
+}
+
 void PhotonSource::look_at_targets() {
     const std::vector<LookLight> lights = lights_to_look_from(*scene_);
-    const std::size_t tests = lights.empty() ? 0
-                                             : std::clamp(most_rays / targets_.size(), std::size_t(1),
-                                                          lights.size() * tests_a_light);
-    std::vector<std::array<double, kind_count>> sent(targets_.size());
+    std::vector<ByKind> sent(targets_.size());
+    if (!lights.empty()) {
+        // Points of each triangle, each asked for one of the lights.
+        const std::size_t tests =
+            std::clamp(most_rays / targets_.size(), std::size_t(1), lights.size() * tests_a_light);
+        parallel_for(targets_.size(), 64, [&](std::size_t i) {
+            for (std::size_t k = 0; k < tests; ++k) {
+                const shared::uint key = shared::hash2(shared::uint(i), shared::uint(k));
+                const glm::vec2 uv =
+                    on_triangle({shared::uniform_float(key), shared::uniform_float(shared::pcg(key))});
+                const LookLight& from = lights[(k + shared::hash2(key, 1u)) % lights.size()];
+                sent[i][std::size_t(from.kind)] +=
+                    sent_on(targets_[i], uv, from.light) * double(lights.size()) / double(tests);
+            }
+        });
+    }
+    set_chances(sent);
+}
 
-    // Light that a triangle sends on, by the kinds of light: points of it, each asked for one of the lights.
-    parallel_for(targets_.size(), 64, [&](std::size_t i) {
-        const Target& target = targets_[i];
-        const glm::vec3 normal = glm::cross(target.b - target.a, target.c - target.a);
-        for (std::size_t k = 0; k < tests; ++k) {
-            const shared::uint key = shared::hash2(shared::uint(i), shared::uint(k));
-            const glm::vec2 uv =
-                on_triangle({shared::uniform_float(key), shared::uniform_float(shared::pcg(key))});
-            const glm::vec3 p = target.a + (target.b - target.a) * uv.x + (target.c - target.a) * uv.y;
-            const LookLight& from = lights[(k + shared::hash2(key, 1u)) % lights.size()];
-            const shared::LightSample light = shared::sample_light(from.light, p);
-            if (light.irradiance == glm::vec3(0.0f)) continue;
-            const Surface surface = specular_part(
-                surface_at(*scene_, hit_at(target.instance, target.triangle, uv, normal), -light.wi),
-                specular_roughness_);
-            const ShadingPoint point(surface, -light.wi);
-            const float share =
-                surface.transmission + luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
-                                                                         glm::dot(point.normal, point.wo)));
-            const float level =
-                luminance(light.irradiance) * std::abs(glm::dot(surface.geometric_normal, light.wi)) * share;
-            const bool far = from.light.type == shared::LIGHT_DIRECTIONAL;
-            if (level <= 0.0f ||
-                rays_->occluded(shadow_ray(point, {light.wi, from.light.position, far, {}, 0.0f})))
-                continue;
-            sent[i][std::size_t(from.kind)] +=
-                double(level * target.area) * double(lights.size()) / double(tests);
-        }
-    });
-
-    // Chances of triangles and of kinds of light. What exists keeps some whatever the look has found.
+// Chances of triangles and of kinds of light. What exists keeps some whatever the look has found.
+void PhotonSource::set_chances(const std::vector<ByKind>& sent) {
     double total_area = 0.0, total = 0.0;
-    std::array<double, kind_count> by_kind{};
+    ByKind by_kind{};
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         total_area += double(targets_[i].area);
         for (std::size_t k = 0; k < kind_count; ++k) by_kind[k] += sent[i][k], total += sent[i][k];
     }
-    const double placed = total > 0.0 ? 1.0 - double(by_area) : 0.0;
+    const double placed = total > 0.0 ? 1.0 - double(by_area) : 0.0,
+                 scale = total > 0.0 ? placed / total : 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
-        const double light = sent[i][0] + sent[i][1] + sent[i][2];
         const double chance = (1.0 - placed) * double(targets_[i].area) / total_area +
-                              (total > 0.0 ? placed * light / total : 0.0);
+                              scale * (sent[i][0] + sent[i][1] + sent[i][2]);
         targets_[i].chance = float(chance);
         cumulative_.push_back(sum += chance);
     }
@@ -133,9 +134,7 @@ void PhotonSource::look_at_targets() {
                                      lights_.has_environment()};
     const double kinds = double(exists[0]) + double(exists[1]) + double(exists[2]);
     for (std::size_t k = 0; k < kind_count; ++k)
-        if (exists[k])
-            kind_chance_[k] =
-                float((1.0 - placed) / kinds + (total > 0.0 ? placed * by_kind[k] / total : 0.0));
+        if (exists[k]) kind_chance_[k] = float((1.0 - placed) / kinds + scale * by_kind[k]);
 }
 
 // Of many punctual lights one is chosen by what it would send.
@@ -177,20 +176,17 @@ std::optional<PhotonPath> PhotonSource::start(Random& random) const {
     const auto chosen = std::upper_bound(cumulative_.begin(), cumulative_.end(), u) - cumulative_.begin();
     const Target& target = targets_[std::min(std::size_t(chosen), targets_.size() - 1)];
     const glm::vec2 uv = on_triangle(random.next2());
-    const glm::vec3 position = target.a + (target.b - target.a) * uv.x + (target.c - target.a) * uv.y;
-    const glm::vec3 normal = glm::normalize(glm::cross(target.b - target.a, target.c - target.a));
 
     // A kind of light, then one of its lights.
     float w = random.next();
     std::size_t kind = 0;
     while (kind + 1 < kind_count && w >= kind_chance_[kind]) w -= kind_chance_[kind++];
     while (kind > 0 && kind_chance_[kind] <= 0.0f) --kind;
-    const LightArrival light = arrival(Kind(kind), position, normal, random);
+    const LightArrival light = arrival(Kind(kind), target.at(uv), target.normal, random);
     if (light.radiance == glm::vec3(0.0f) || target.chance <= 0.0f) return std::nullopt;
     if (is_transparent(*scene_, target.instance, target.triangle, uv)) return std::nullopt;
 
-    const Surface surface =
-        surface_at(*scene_, hit_at(target.instance, target.triangle, uv, normal), -light.wi);
+    const Surface surface = surface_at(*scene_, target.hit(uv), -light.wi);
     PhotonPath path;
     path.ray.direction = -light.wi;
     path.power = light.radiance * (std::abs(glm::dot(surface.geometric_normal, light.wi)) * target.area /

@@ -34,10 +34,15 @@ private:
     enum Kind { punctual, emitter, environment, kind_count };
     struct Target {
         glm::vec3 a, b, c;
+        glm::vec3 normal; // unit, of the front
         std::uint32_t instance, triangle;
         float area;
         float chance; // of being drawn
+
+        glm::vec3 at(glm::vec2 uv) const { return a + (b - a) * uv.x + (c - a) * uv.y; }
+        Hit hit(glm::vec2 uv) const { return {0.0f, instance, triangle, uv.x, uv.y, normal, nullptr}; }
     };
+    using ByKind = std::array<double, kind_count>;
     // Light of one kind at a point of a surface with this normal; its radiance is over the chance of choosing
     // it.
     LightArrival arrival(Kind kind, glm::vec3 position, glm::vec3 normal, Random& random) const;
@@ -45,6 +50,8 @@ private:
 
     void find_targets();
     void look_at_targets();
+    double sent_on(const Target& target, glm::vec2 uv, const shared::Light& from) const;
+    void set_chances(const std::vector<ByKind>& sent);
 
     const RayCaster* rays_;
     const Scene* scene_;
