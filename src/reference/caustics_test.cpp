@@ -8,6 +8,8 @@
 #include <tbb/global_control.h>
 
 #include "reference/test_scenes.h"
+#include "scene/load.h"
+#include "support/data.h"
 
 namespace luxel {
 namespace {
@@ -119,7 +121,7 @@ TEST(Caustics, PlaneMirrorShowsAnImageOfTheLamp) {
         const double expected = mean_over_floor(request, radiance);
         const Measured m = mean_of_passes(scene, request);
         EXPECT_NEAR(m.mean, expected, t_999_15 * m.error + 0.003 * expected) << "type " << type;
-        EXPECT_LT(m.error, 0.015 * expected) << "type " << type;
+        EXPECT_LT(m.error, 0.02 * expected) << "type " << type;
     }
 }
 
@@ -223,6 +225,23 @@ TEST(Caustics, AgreeWithPaths) {
         }
 }
 
+// The same on a mesh with glass within glass, in light from everywhere.
+TEST(Caustics, AgreeWithPathsBehindAGlassTeapot) {
+    LUXEL_DATA_OR_SKIP(file, "teapot_glass/teapot_glass.gltf");
+    Scene scene = load_scene(file.string());
+    scene.lights.clear();
+    set_uniform_environment(scene, glm::vec3(1.0f));
+    const RayCaster rays(scene);
+    auto request = caustics_of(scene.cameras[0], 16, 30000);
+    const Measured photons = mean_of_passes(scene, request);
+    request.settings.caustic_method = CausticMethod::paths;
+    request.settings.spp = 1024;
+    const Measured paths = measure(render_reference(rays, request), "caustics", 1);
+    EXPECT_NEAR(photons.mean, paths.mean,
+                t_999_15 * std::hypot(photons.error, paths.error) + 0.01 * paths.mean);
+    EXPECT_LT(std::hypot(photons.error, paths.error), 0.03 * paths.mean);
+}
+
 // What the run says of its radius is what a smaller one shows, and it falls with the radius.
 TEST(Caustics, StateTheBiasOfTheirRadius) {
     Scene scene;
@@ -251,6 +270,30 @@ TEST(Caustics, StateTheBiasOfTheirRadius) {
         squares += d * d, levels += level * level;
     }
     EXPECT_NEAR(stated[0].bias / std::sqrt(squares / levels), 1.0, 0.5);
+}
+
+// Over runs of different seeds pixels scatter as each run says.
+TEST(Caustics, StateTheirVarianceCorrectly) {
+    const Scene scene = metal_ring();
+    const RayCaster rays(scene);
+    auto request = caustics_of(scene.cameras[0], 12, 2000, 8);
+    const int runs = 24;
+    std::vector<double> sum(144), squares(144);
+    double stated = 0.0, shown = 0.0;
+    for (int seed = 1; seed <= runs; ++seed) {
+        request.settings.seed = seed;
+        const Estimate e = render_reference(rays, request);
+        for (std::size_t i = 0; i < 144; ++i) {
+            const double v = double(e.mean.at("caustics").data[3 * i]);
+            sum[i] += v, squares[i] += v * v;
+            stated += double(e.variance.at("caustics").data[3 * i]) / runs;
+        }
+    }
+    for (std::size_t i = 0; i < 144; ++i) shown += (squares[i] - sum[i] * sum[i] / runs) / (runs - 1);
+
+    // As many as a dozen pixels rule the sum: 3.3 standard deviations of chi-squared with 12 x 23 degrees of
+    // freedom.
+    EXPECT_NEAR(shown / stated, 1.0, 3.3 * std::sqrt(2.0 / (12 * 23)));
 }
 
 TEST(Caustics, RadiusShrinksAsItShould) {

@@ -65,7 +65,7 @@ struct ReferenceSettings {
     float specular_roughness = 0.2f; // up to here a GGX lobe counts as specular
     CausticMethod caustic_method = CausticMethod::photons;
     int photons = 200000;       // a pass; every sample of the pixels is a pass
-    float photon_radius = 2.0f; // pixels, of the first pass
+    float photon_radius = 1.0f; // pixels, of the first pass
     void visit(Visitor& v);
 };
 
