@@ -7,6 +7,7 @@
 #include "experiments/output_folder.h"
 #include "experiments/view_choice.h"
 #include "options.h"
+#include "scene/height_field.h"
 #include "scene/povray/povray.h"
 
 namespace luxel::app {
@@ -23,7 +24,7 @@ void run(const Options& o, const Global& global) {
     if (std::filesystem::path(o.output).extension() != ".pov")
         fail(Fault::usage, "{}: output: expected a name that ends in .pov", o.output);
     check_writable(o.output);
-    const Scene scene = load(o.scene, global);
+    const Scene scene = with_height_fields(load(o.scene, global));
     const Camera camera = choose_views(RayCaster(scene), {.file = o.cameras, .names = {o.view}})[0];
     const std::vector<std::string> approximated =
         write_povray(o.output, scene, camera, size.width, size.height, o.settings);

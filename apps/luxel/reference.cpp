@@ -10,6 +10,7 @@
 #include "experiments/view_choice.h"
 #include "options.h"
 #include "reference/reference.h"
+#include "scene/height_field.h"
 
 namespace luxel::app {
 
@@ -43,7 +44,7 @@ void run(Options options, const Global& global) {
 
     require_memory(size.width, size.height, request.components.size());
 
-    const Scene scene = load(options.scene, global);
+    const Scene scene = with_height_fields(load(options.scene, global));
     const RayCaster rays(scene);
     request.width = size.width, request.height = size.height;
     request.camera = choose_views(rays, {.file = options.cameras, .names = {options.view}})[0];

@@ -7,6 +7,7 @@
 #include "experiments/components.h"
 #include "experiments/judge.h"
 #include "experiments/timing.h"
+#include "scene/height_field.h"
 #include "scene/lights.h"
 
 namespace luxel {
@@ -65,7 +66,7 @@ RowResult row_result(const RowFrames& frames) {
 } // namespace
 
 Scene reference_scene(const Scene& scene, const FrameOptions& frame, bool true_environment) {
-    Scene lit = scene;
+    Scene lit = with_height_fields(scene);
     if (frame.environment == EnvironmentMode::none) lit.environment = {};
     if (frame.environment == EnvironmentMode::lights && !true_environment && !lit.environment.empty())
         return with_environment_as_lights(std::move(lit), frame.environment_lights,

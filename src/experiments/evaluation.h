@@ -68,7 +68,8 @@ struct ViewPictures {
 };
 using PictureSink = std::function<nlohmann::ordered_json(const ViewPictures&)>; // ViewResult::pictures
 
-// The scene as the reference is to light it, by the frame's treatment of the environment.
+// The scene as the reference is to light it, by the frame's treatment of the environment; height maps are
+// geometry in it.
 Scene reference_scene(const Scene& scene, const FrameOptions& frame, bool true_environment);
 
 ReferenceRequest reference_request(const TruthSettings& truth, const ViewTask& task);

@@ -18,6 +18,8 @@ enum class ShapesLight { point, spot, directional };
 Scene shapes(ShapesLight light);
 // Sphere inside a box of differently colored walls.
 Scene sphere_in_box();
+// Cobbled floor and brick wall by height maps, under a low sun.
+Scene relief();
 // Replaces each triangle by 4^levels: same surface, more triangles.
 Scene subdivide(const Scene& scene, int levels);
 

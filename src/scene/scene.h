@@ -51,6 +51,11 @@ struct Material {
         false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
     TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
         specular_texture, specular_color_texture, transmission_texture;
+    // Relief behind the surface: texels of 1 lie on it, those of 0 height_scale meters behind (world, along
+    // the normal). Red channel, repeating. See scene/height_field.h.
+    TextureUse height_texture;
+    float height_scale = 0.0f;
+    bool has_relief() const { return height_texture.texture >= 0 && height_scale > 0.0f; }
 };
 
 // One indexed triangle list with one material, in object space. Normals are always present (generated when

@@ -84,7 +84,7 @@ void merge(Scene& scene, Scene part) {
     for (Material& m : part.materials)
         for (TextureUse* use :
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-              &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+              &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.height_texture})
             shift(*use, textures);
     for (Mesh& mesh : part.meshes) mesh.material += materials;
     for (Instance& instance : part.instances) instance.mesh += meshes;
@@ -212,7 +212,7 @@ Scene load_scene_file(const std::filesystem::path& path, const LoadOptions& opti
 
     read_geometry(top, folder.root(), options, scene);
     top.finish();
-    apply_object_rules(scene, rules);
+    apply_object_rules(scene, rules, folder);
 
     // The file's own cameras come before those of its geometry: they were chosen for it.
     if (replace_lights) scene.lights.clear();

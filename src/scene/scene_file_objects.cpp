@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "core/image_io.h"
+#include "scene/load_texture.h"
 #include "scene/printable.h"
 #include "scene/scene_file.h"
 
@@ -36,6 +38,33 @@ void change(Material& material, const ObjectRule& rule) {
     if (rule.ior) material.ior = *rule.ior;
 }
 
+// Adds the rules' height maps to the scene's textures, each file once.
+std::map<std::string, int> load_height_maps(Scene& scene, const std::vector<ObjectRule>& rules,
+                                            const Folder& folder) {
+    std::map<std::string, int> index_of;
+    std::uint64_t taken = 0;
+    for (const ObjectRule& rule : rules) {
+        if (!rule.height_map || index_of.contains(*rule.height_map)) continue;
+        const std::string& file = *rule.height_map;
+        const auto bytes = folder.read(file, max_image_file_bytes);
+        if (!bytes) rule.section.reject("height_map", fmt::format("\"{}\" does not exist", printable(file)));
+        Texture texture;
+        texture.name = file;
+        texture.pixels = decode_pixels(*bytes, (folder.root() / file).string());
+        if ((taken += texture.pixels.rgba.size()) > max_texture_bytes)
+            fail(Fault::resource, "{}: its height maps need more than {} GiB", scene.name,
+                 max_texture_bytes >> 30);
+        index_of[file] = int(scene.textures.size());
+        scene.textures.push_back(std::move(texture));
+    }
+    return index_of;
+}
+
+void set_height_map(Material& material, const ObjectRule& rule, int texture) {
+    material.height_texture = {.texture = texture};
+    material.height_scale = *rule.height_scale;
+}
+
 std::vector<int> uses_of_meshes(const Scene& scene, const std::vector<bool>* chosen) {
     std::vector<int> uses(scene.meshes.size());
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -45,16 +74,20 @@ std::vector<int> uses_of_meshes(const Scene& scene, const std::vector<bool>* cho
 
 // Gives the chosen instances meshes and materials of their own, and changes those.
 void change_chosen(Scene& scene, const ObjectRule& rule, const std::vector<bool>& chosen,
-                   std::uint64_t& copied_vertices) {
+                   const std::map<std::string, int>& height_maps, std::uint64_t& copied_vertices) {
     const std::vector<int> all = uses_of_meshes(scene, nullptr), inside = uses_of_meshes(scene, &chosen);
     std::map<int, int> own_material;
     for (std::size_t m = 0; m < all.size(); ++m) {
         if (inside[m] == 0) continue;
+        if (rule.height_map && scene.meshes[m].texcoords[0].empty())
+            rule.section.reject("height_map", fmt::format("mesh \"{}\" has no texture coordinates",
+                                                          printable(scene.meshes[m].name)));
         const int old = scene.meshes[m].material;
         const auto [place, is_new] = own_material.try_emplace(old, int(scene.materials.size()));
         if (is_new) {
             Material material = scene.materials[std::size_t(old)];
             change(material, rule);
+            if (rule.height_map) set_height_map(material, rule, height_maps.at(*rule.height_map));
             scene.materials.push_back(std::move(material));
         }
 
@@ -104,7 +137,7 @@ bool matches_glob(std::string_view pattern, std::string_view name) {
 }
 
 ObjectRule read_object_rule(Section& section) {
-    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}};
+    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}, {}, {}};
     rule.role = section.text("role");
     rule.base_color = section.triple("base_color", 0, 1, true);
     rule.metallic = section.number("metallic", 0, 1);
@@ -112,12 +145,18 @@ ObjectRule read_object_rule(Section& section) {
     rule.emission = section.triple("emission", 0, 1e12, true);
     rule.transmission = section.number("transmission", 0, 1);
     rule.ior = section.number("ior", 1, 10);
+    rule.height_map = section.text("height_map");
+    rule.height_scale = section.number("height_scale", 1e-6, 1e3);
     section.finish();
+    if (rule.height_map.has_value() != rule.height_scale.has_value())
+        section.reject(rule.height_map ? "height_map" : "height_scale",
+                       "give \"height_map\" and \"height_scale\" together");
     if (!rule.role && !rule.changes_material()) section.reject("name", "the object changes nothing");
     return rule;
 }
 
-void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules) {
+void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules, const Folder& folder) {
+    const std::map<std::string, int> height_maps = load_height_maps(scene, rules, folder);
     std::uint64_t copied_vertices = 0;
     for (const ObjectRule& rule : rules) {
         std::vector<bool> chosen(scene.instances.size());
@@ -128,7 +167,7 @@ void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules) {
             if (chosen[i] && rule.role) scene.instances[i].role = *rule.role;
         }
         if (!any) reject_pattern(scene, rule);
-        if (rule.changes_material()) change_chosen(scene, rule, chosen, copied_vertices);
+        if (rule.changes_material()) change_chosen(scene, rule, chosen, height_maps, copied_vertices);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/file.h"
 #include "scene/scene.h"
 #include "scene/scene_file_section.h"
 
@@ -15,15 +16,17 @@ struct ObjectRule {
     std::string pattern;
     std::optional<std::string> role;
     std::optional<glm::vec3> base_color, emission;
-    std::optional<float> metallic, roughness, transmission, ior;
+    std::optional<float> metallic, roughness, transmission, ior, height_scale;
+    std::optional<std::string> height_map;
     bool changes_material() const {
-        return base_color || emission || metallic || roughness || transmission || ior;
+        return base_color || emission || metallic || roughness || transmission || ior || height_map;
     }
 };
 
 ObjectRule read_object_rule(Section& section);
 
-// In order, so that later rules win. Error Fault::bad_input: a pattern matches no instance.
-void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules);
+// In order, so that later rules win. Height maps are read beneath `folder`. Error Fault::bad_input: a pattern
+// matches no instance, a height map cannot be read.
+void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules, const Folder& folder);
 
 } // namespace luxel

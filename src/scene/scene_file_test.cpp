@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/image_io.h"
 #include "scene/lights.h"
 
 namespace luxel {
@@ -165,6 +166,41 @@ TEST_F(SceneFile, ObjectRulesSplitSharedMaterials) {
     }
     EXPECT_EQ(emitting, 1);
     EXPECT_EQ(scene.instances.size(), 2u);
+}
+
+std::string gray_png(float value) {
+    const std::vector<std::uint8_t> bytes = encode_png(Image(2, 2, 3, value));
+    return {bytes.begin(), bytes.end()};
+}
+
+TEST_F(SceneFile, HeightMapsAreReadBeneathTheFolder) {
+    write("models/height.png", gray_png(0.4f));
+    const std::string rule = cornell_line + "[[object]]\nname = \"floor\"\nheight_map = ";
+    const Scene scene = load(rule + "\"models/height.png\"\nheight_scale = 0.05\n");
+    const Material& floor = material_of(scene, "floor");
+    ASSERT_TRUE(floor.has_relief());
+    EXPECT_EQ(floor.height_scale, 0.05f);
+    EXPECT_EQ(scene.textures[std::size_t(floor.height_texture.texture)].pixels.rgba[0], 102);
+    EXPECT_FALSE(scene.textures[0].srgb);
+    EXPECT_FALSE(material_of(scene, "ceiling").has_relief());
+
+    // One file, one texture.
+    const Scene two = load(rule + "\"models/height.png\"\nheight_scale = 0.05\n[[object]]\nname = \"*wall\"\n"
+                                  "height_map = \"models/height.png\"\nheight_scale = 0.1\n");
+    EXPECT_EQ(two.textures.size(), 1u);
+    EXPECT_EQ(material_of(two, "left wall").height_scale, 0.1f);
+
+    expect_error(rule + "\"models/none.png\"\nheight_scale = 0.05\n", "4", "does not exist");
+    expect_error(rule + "\"models/height.png\"\n", "4", "together");
+    EXPECT_NE(error_of(rule + "\"../height.png\"\nheight_scale = 0.05\n").find("leaves the folder"),
+              std::string::npos);
+    expect_error(rule + "\"models/height.png\"\nheight_scale = 0\n", "5", "height_scale");
+    expect_error("geometry = \"models/lamp.obj\"\n[[object]]\nname = \"lamp\"\n"
+                 "height_map = \"models/height.png\"\nheight_scale = 0.05\n",
+                 "4", "texture coordinates");
+    write("models/height.png", "no image");
+    EXPECT_NE(error_of(rule + "\"models/height.png\"\nheight_scale = 0.05\n").find("height.png"),
+              std::string::npos);
 }
 
 TEST_F(SceneFile, SkyGradient) {

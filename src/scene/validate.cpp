@@ -90,8 +90,14 @@ private:
         require(within(m.alpha_cutoff, 0, largest), "its alpha cutoff is negative or not finite");
         for (const TextureUse* use :
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-              &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+              &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.height_texture})
             check(*use);
+        require(within(m.height_scale, 0, largest), "the depth of its relief is negative or not finite");
+        if (!m.has_relief()) return;
+        const Texture& heights = scene_.textures[std::size_t(m.height_texture.texture)];
+        require(heights.wrap_u == Wrap::repeat && heights.wrap_v == Wrap::repeat && !heights.nearest &&
+                    !heights.srgb,
+                "its height map is not linear, interpolated and repeating");
     }
 
     void check(const Mesh& m) {
@@ -114,6 +120,9 @@ private:
         require_index(m.material, scene_.materials, "its material does not exist");
         require(!m.tangents.empty() || scene_.materials[std::size_t(m.material)].normal_texture.texture < 0,
                 "it has no tangents for its normal texture");
+        const Material& material = scene_.materials[std::size_t(m.material)];
+        require(!material.has_relief() || !m.texcoords[material.height_texture.set].empty(),
+                "it has no texture coordinates for its height map");
         Bounds& box = bounds_.emplace_back();
         for (const glm::vec3& p : m.positions) box.add(p);
     }

@@ -2,6 +2,7 @@
 // The contract of a real-time technique: one light-transport effect, from a frame to an image in radiance.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/parameters.h"
 #include "gpu/recorder.h"
 #include "scene/scene.h"
+#include "shared/height_search.h"
 
 namespace luxel {
 
@@ -30,6 +32,10 @@ public:
     virtual void visit(Visitor&) {}                  // knobs: see core/parameters.h
     virtual void prepare(gpu::Gpu&, const Scene&) {} // once per scene
     virtual Contribution render(gpu::Recorder& recorder, const Frame& frame) = 0; // once per frame
+
+    // Slot::surface only: how height maps are searched while the frame, its shadow maps and every other
+    // capture of the scene are drawn, before any render(). Without one they are not looked at.
+    virtual std::optional<shared::HeightSearch> height_search() const { return std::nullopt; }
 
     // The renderer that has called prepare(); it expires with it.
     std::weak_ptr<const void> prepared_by;

@@ -6,7 +6,8 @@
 
 namespace luxel {
 
-Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request) {
+Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request,
+                         const std::optional<shared::HeightSearch>& search) {
     const gpu::Image& behind = request.farther_than;
     LUXEL_ASSERT(!behind || (float(behind.width()) == request.view.width &&
                              float(behind.height()) == request.view.height),
@@ -15,7 +16,8 @@ Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const C
     Capture c{.width = std::uint32_t(request.view.width),
               .height = std::uint32_t(request.view.height),
               .view = request.view,
-              .scene = &scene};
+              .scene = &scene,
+              .search = search};
     auto image = [&](VkFormat format, const char* name) {
         return recorder.image({.width = c.width, .height = c.height, .format = format},
                               request.prefix + name);

@@ -6,6 +6,8 @@
 namespace luxel {
 
 // `direct` holds what the surfaces emit, `direct_diffuse` nothing: DirectLight::render adds the lights.
-Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request);
+// search: see Capture.
+Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request,
+                         const std::optional<shared::HeightSearch>& search);
 
 } // namespace luxel

@@ -96,7 +96,8 @@ void DirectLight::add(gpu::Recorder& recorder, const std::vector<Capture>& captu
     LUXEL_ASSERT(!batch.empty(), "layers={}", maps.layers());
     std::vector<shared::ShadowView> views;
     for (const FittedLight& l : batch) views.insert(views.end(), l.views.begin(), l.views.end());
-    gpu::Image shadow_maps = maps.draw(recorder, *captures.front().scene, views, options_.esm_exponent);
+    const Capture& first = captures.front();
+    gpu::Image shadow_maps = maps.draw(recorder, *first.scene, views, options_.esm_exponent, first.search);
 
     shared::DirectParams p{.esm_exponent = options_.esm_exponent,
                            .light_count = int(batch.size()),

@@ -2,12 +2,14 @@
 // What every frame offers to a technique.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/parameters.h"
 #include "gpu/recorder.h"
 #include "scene/scene.h"
+#include "shared/height_search.h"
 #include "techniques/frame/ambient_params.h"
 #include "techniques/frame/gpu_scene.h"
 #include "techniques/frame/view_params.h"
@@ -32,6 +34,7 @@ struct Capture {
     std::uint32_t width = 0, height = 0;
     shared::ViewParams view; // camera as shaders read it; world position = position + depth * pixel_direction
     const GpuScene* scene = nullptr;
+    std::optional<shared::HeightSearch> search; // of height maps; none: they are not looked at
     GBuffer gbuffer;
     gpu::Image direct; // RGBA32F: direct radiance toward the camera, emission included, without ambient;
                        // a = signed_ior (shared/brdf.h)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/frame/gbuffer.h"
 
-#include "techniques/frame/peel_params.h"
+#include "techniques/frame/displaced_params.h"
 
 namespace luxel {
 
@@ -43,13 +43,14 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
     const bool peels = request.farther_than || one_side;
 
     // Depth of what is opaque comes first, so that each pixel is shaded about once. It cannot peel: which
-    // surfaces have a back is their material's business.
+    // surfaces have a back is their material's business. Reliefs are where their search ends.
+    const bool apart = capture.search.has_value();
     gpu::DepthTarget depth{
         .image = g.hardware_depth, .clear = 0.0f, .compare = VK_COMPARE_OP_GREATER_OR_EQUAL};
     if (!peels) {
         recorder.draw("frame/depth", {.depth = depth}, capture.view.world_to_clip,
                       scene.vertex_bindings(MaterialUse::none), scene.indices(),
-                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn));
+                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn, apart));
         depth.clear.reset();
     }
 
@@ -65,7 +66,7 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
             {"farther_than", request.farther_than ? request.farther_than : at_the_eye(recorder, capture)});
     for (const Kind& kind : kinds) {
         std::vector<gpu::Batch> batches =
-            scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn);
+            scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn, apart);
         if (batches.empty() && kind.surfaces != Surfaces::plain) continue;
         if (peels)
             recorder.draw(kind.peeling, pass, peel_params(capture, request.sides), bindings, scene.indices(),
@@ -75,6 +76,13 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
         for (gpu::ColorTarget& target : pass.color) target.clear.reset();
         pass.depth->clear.reset();
     }
+    if (!apart) return;
+    std::vector<gpu::Batch> reliefs =
+        scene.batches(frustum, Surfaces::displaced, MaterialUse::all, request.drawn);
+    if (reliefs.empty()) return;
+    recorder.draw(peels ? "frame/peel_displaced" : "frame/gbuffer_displaced", pass,
+                  shared::DisplacedParams{peel_params(capture, request.sides), *capture.search}, bindings,
+                  scene.indices(), reliefs);
 }
 
 } // namespace luxel

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
 // The surface under the pixel's center, as surface_at in scene/surface.cpp finds it. TEXTURES is
-// TEXTURES_NONE, TEXTURES_COMMON (those of core glTF, filtered by the sampler) or TEXTURES_ALL.
+// TEXTURES_NONE, TEXTURES_COMMON (those of core glTF, filtered by the sampler) or TEXTURES_ALL. DISPLACED: it
+// lies behind the polygon, by the material's height map.
 #include "shared/brdf.h"
 #include "techniques/frame/material.glsl"
 #include "techniques/frame/view_params.h"
 
 #ifdef PEEL
+layout(set = 0, binding = 7) uniform sampler2D farther_than; // linear depth of the view's pixels
+#endif
+#ifdef DISPLACED
+#include "techniques/frame/displace.glsl"
+#include "techniques/frame/displaced_params.h"
+layout(set = 0, binding = 6, scalar) uniform params { DisplacedParams d; };
+#define p d.peel
+#define view p.view
+layout(depth_less) out float gl_FragDepth; // reversed depth: displacement goes away from the eye
+#elif defined(PEEL)
 #include "techniques/frame/peel_params.h"
 layout(set = 0, binding = 6, scalar) uniform params { PeelParams p; };
 #define view p.view
-layout(set = 0, binding = 7) uniform sampler2D farther_than; // linear depth of the view's pixels
 #else
 layout(set = 0, binding = 6, scalar) uniform params { ViewParams view; };
 #endif
@@ -62,6 +72,18 @@ vec3 shading_normal(vec3 geometric) {
 }
 
 void main() {
+    // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
+    vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));
+    geometric = normalize(dot(geometric, from_eye) > 0.0 ? -geometric : geometric);
+    bool front = gl_FrontFacing == (handedness > 0.0);
+    float side = front ? 1.0 : -1.0;
+    float z = depth;
+#ifdef DISPLACED
+    Displaced relief = displace(from_eye, from_eye, geometric, uv, d.search, front);
+    float behind = relief.t * d.search.moves_depth;
+    z += dot(relief.along, view.forward) * behind;
+#endif
+
     // Factors times textures.
     vec4 base = m.base_color * color;
     float metallic = m.metallic, roughness = m.roughness;
@@ -90,25 +112,33 @@ void main() {
     Brdf whole = make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color);
     Brdf brdf = scale_brdf(whole, 1.0 - transmission);
 
-    // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
-    vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));
-    geometric = normalize(dot(geometric, from_eye) > 0.0 ? -geometric : geometric);
-    bool front = gl_FrontFacing == (handedness > 0.0);
-    float side = front ? 1.0 : -1.0;
-    vec3 n = facing_normal(shading_normal(geometric * side) * side, geometric, -normalize(from_eye));
+    // Normals, on the camera's side. A normal map says the relief's shading normals, too.
+    vec3 shading = shading_normal(geometric * side) * side, to_eye = -normalize(from_eye);
+#ifdef DISPLACED
+    if (m.normal_texture.present == 0u)
+        shading = relief_normal(shading, relief.gradient, relief.axes, m.height_scale);
+    if (relief.gradient != vec2(0.0))
+        geometric = facing_normal(relief_normal(geometric, relief.gradient, relief.axes, m.height_scale),
+                                  geometric, to_eye);
+#endif
+    vec3 n = facing_normal(shading, geometric, to_eye);
 
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);
     out_normal = vec4(n, 1.0);
     out_geometric_normal = vec4(geometric, side);
-    out_depth = depth;
+    out_depth = z;
     out_emission = vec4(front || m.double_sided != 0u ? emission : vec3(0.0),
                         signed_ior(metallic, roughness, transmission, m.ior, m.thin != 0u));
 
+#ifdef DISPLACED
+    gl_FragDepth = behind > 0.0 ? min(view.near / z, gl_FragCoord.z) : gl_FragCoord.z;
+#endif
+
     // Last, so that the derivatives above are those of whole quads.
-    if (base.a < m.alpha_cutoff || depth > view.far) discard;
+    if (base.a < m.alpha_cutoff || z > view.far) discard;
 #ifdef PEEL
-    if (depth <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
+    if (z <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
     float solid = m.double_sided == 0u ? 1.0 : 0.0;
     if ((front ? p.drop_front : p.drop_back + p.drop_solid_back * solid) > 0.5) discard;
 #endif

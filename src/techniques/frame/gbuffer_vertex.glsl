@@ -7,7 +7,11 @@ layout(set = 0, binding = 2, scalar) readonly buffer normals { vec3 normal_of[];
 layout(set = 0, binding = 3, scalar) readonly buffer tangents { vec4 tangent_of[]; };
 layout(set = 0, binding = 4, scalar) readonly buffer texcoords { vec2 texcoord_of[]; };
 layout(set = 0, binding = 5, scalar) readonly buffer colors { vec4 color_of[]; };
-#ifdef PEEL
+#ifdef DISPLACED
+#include "techniques/frame/displaced_params.h"
+layout(set = 0, binding = 6, scalar) uniform params { DisplacedParams d; };
+#define view d.peel.view
+#elif defined(PEEL)
 #include "techniques/frame/peel_params.h"
 layout(set = 0, binding = 6, scalar) uniform params { PeelParams p; };
 #define view p.view

@@ -108,6 +108,8 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m, bo
     r.thin = m.thin ? 1 : 0;
     for (const TextureSlot& slot : texture_slots)
         r.*slot.record = texture_record(scene, m.*slot.use, mipmaps);
+    r.height_texture = texture_record(scene, m.height_texture, mipmaps);
+    r.height_scale = m.height_scale;
     return r;
 }
 
@@ -195,13 +197,12 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
     const std::byte white[4] = {std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
     gpu::Image no_texture = gpu.upload_image({.format = VK_FORMAT_R8G8B8A8_UNORM}, white, "no texture");
     std::vector<gpu::Image> textures(scene_->textures.size());
-    auto bind = [&](const TextureSlot& slot, const TextureUse& use) -> gpu::Binding {
-        if (use.texture < 0) return {slot.name, no_texture};
+    auto bind = [&](const char* name, const TextureUse& use) -> gpu::Binding {
+        if (use.texture < 0) return {name, no_texture};
         const Texture& texture = scene_->textures[std::size_t(use.texture)];
         gpu::Image& image = textures[std::size_t(use.texture)];
         if (!image) image = upload_texture(gpu, texture, mipmaps);
-        return {slot.name, image,
-                texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat};
+        return {name, image, texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat};
     };
     for (const Material& m : scene_->materials) {
         // The last slot in use decides which shader it takes.
@@ -214,29 +215,36 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
         shared::MaterialRecord record = material_record(*scene_, m, mipmaps);
         gpu::Binding material = {"material",
                                  gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)};
-        on_gpu.alpha = {material, bind(texture_slots[0], m.*texture_slots[0].use)};
+        on_gpu.alpha = {material, bind(texture_slots[0].name, m.*texture_slots[0].use)};
         on_gpu.all = {material};
         std::size_t bound = on_gpu.kind == Surfaces::plain      ? 0
                             : on_gpu.kind == Surfaces::textured ? common_slots
                                                                 : std::size(texture_slots);
         for (std::size_t i = 0; i < bound; ++i)
-            on_gpu.all.push_back(bind(texture_slots[i], m.*texture_slots[i].use));
+            on_gpu.all.push_back(bind(texture_slots[i].name, m.*texture_slots[i].use));
+        if (m.has_relief()) {
+            const gpu::Binding height = bind("height_texture", m.height_texture);
+            on_gpu.displaced_alpha = on_gpu.alpha;
+            on_gpu.displaced_alpha.push_back(height);
+            on_gpu.displaced_all = {material, height};
+            for (const TextureSlot& slot : texture_slots)
+                on_gpu.displaced_all.push_back(bind(slot.name, m.*slot.use));
+        }
         materials_.push_back(std::move(on_gpu));
     }
 }
 
 std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
-                                          const std::vector<bool>& drawn) const {
+                                          const std::vector<bool>& drawn, bool apart) const {
     std::vector<gpu::Batch> batches;
     int last_material = -1;
     for (const Object& object : objects_) {
         const MaterialOnGpu& material = materials_[std::size_t(object.material)];
-        if (!material.is(surfaces) || (!drawn.empty() && !drawn[object.draw.instance])) continue;
+        if (!material.is(surfaces, apart) || (!drawn.empty() && !drawn[object.draw.instance])) continue;
         if (!touches(frustum, object.bounds)) continue;
         if (batches.empty() || (use != MaterialUse::none && object.material != last_material)) {
             gpu::Batch& batch = batches.emplace_back();
-            if (use == MaterialUse::all) batch.bindings = material.all;
-            if (use == MaterialUse::alpha) batch.bindings = material.alpha;
+            if (use != MaterialUse::none) batch.bindings = material.bindings(surfaces, use);
             last_material = object.material;
         }
         batches.back().draws.push_back(object.draw);

@@ -10,10 +10,10 @@
 namespace luxel {
 
 // Opaque or masked; or by what their materials need of a shader: no textures, those of core glTF filtered by
-// the sampler, or all that there may be.
-enum class Surfaces { opaque, masked, plain, textured, full };
+// the sampler, or all that there may be. Displaced: with a height map, whatever else they are.
+enum class Surfaces { opaque, masked, plain, textured, full, displaced };
 // What a batch binds in descriptor set 1: nothing, what the alpha test reads, or the whole material (for one
-// of plain, textured, full).
+// of plain, textured, full, displaced); of displaced surfaces the height map, too.
 enum class MaterialUse { none, alpha, all };
 
 class GpuScene {
@@ -32,9 +32,10 @@ public:
     void move_instances(gpu::Gpu& gpu);
 
     // Instances whose bounds touch the clip volume, one batch for each material (a single one for
-    // MaterialUse::none). drawn: one entry for each of the scene's instances; empty = all.
+    // MaterialUse::none). drawn: one entry for each of the scene's instances; empty = all. apart: those with
+    // a height map are Surfaces::displaced and nothing else.
     std::vector<gpu::Batch> batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
-                                    const std::vector<bool>& drawn = {}) const;
+                                    const std::vector<bool>& drawn = {}, bool apart = false) const;
 
     // Set 0 of the vertex shaders: "positions" and "instances" alone; with what the alpha test needs; all
     // attributes.
@@ -43,10 +44,18 @@ public:
 
 private:
     struct MaterialOnGpu {
-        gpu::Bindings alpha, all;
+        gpu::Bindings alpha, all, displaced_alpha, displaced_all; // the latter two empty without a height map
         bool masked;
         Surfaces kind; // plain, textured or full
-        bool is(Surfaces s) const { return s == kind || s == (masked ? Surfaces::masked : Surfaces::opaque); }
+        bool is(Surfaces s, bool apart) const {
+            if (s == Surfaces::displaced) return !displaced_all.empty();
+            if (apart && !displaced_all.empty()) return false;
+            return s == kind || s == (masked ? Surfaces::masked : Surfaces::opaque);
+        }
+        const gpu::Bindings& bindings(Surfaces s, MaterialUse use) const {
+            if (s == Surfaces::displaced) return use == MaterialUse::all ? displaced_all : displaced_alpha;
+            return use == MaterialUse::all ? all : alpha;
+        }
     };
     struct Object { // an instance as it is drawn
         Bounds bounds;

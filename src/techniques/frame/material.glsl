@@ -16,6 +16,10 @@ layout(set = 1, binding = 0, scalar) uniform material { MaterialRecord records[1
 #if TEXTURES != TEXTURES_NONE
 layout(set = 1, binding = 1) uniform sampler2D base_color_texture;
 #endif
+#ifdef DISPLACED
+layout(set = 1, binding = 8) uniform sampler2D height_texture;
+vec4 uv_shift; // of both sets, from the polygon to the displaced surface
+#endif
 
 ivec2 wrap_texel(ivec2 texel, TextureRecord use) {
     ivec2 size = ivec2(use.size);
@@ -38,12 +42,18 @@ vec4 exact_texel(sampler2D image, TextureRecord use, vec2 uv) {
     return mix(top, bottom, f.y);
 }
 
-// The mip level follows the coordinates before folding, which have no seams.
+// The mip level follows the coordinates before folding, which have no seams, and before displacement, which
+// jumps at silhouettes.
 vec4 look_up(sampler2D image, TextureRecord use, vec2 uv0, vec2 uv1) {
     vec3 uv = vec3(use.set == 0u ? uv0 : uv1, 1.0);
     vec2 t = vec2(dot(use.u_row, uv), dot(use.v_row, uv));
-    vec2 wrapped = vec2(wrap_coordinate(t.x, use.size.x, use.wrap_u),
-                        wrap_coordinate(t.y, use.size.y, use.wrap_v));
+    vec2 at = t;
+#ifdef DISPLACED
+    vec2 shift = use.set == 0u ? uv_shift.xy : uv_shift.zw;
+    at += vec2(dot(use.u_row.xy, shift), dot(use.v_row.xy, shift));
+#endif
+    vec2 wrapped = vec2(wrap_coordinate(at.x, use.size.x, use.wrap_u),
+                        wrap_coordinate(at.y, use.size.y, use.wrap_v));
 #if TEXTURES == TEXTURES_COMMON
     return textureGrad(image, wrapped, dFdx(t), dFdy(t));
 #endif

@@ -100,14 +100,17 @@ gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
 
 Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) const {
     Frame f;
-    f.capture_surfaces = [this](gpu::Recorder& r, const CaptureRequest& c) {
-        return capture_surfaces(r, on_gpu, c);
+    std::optional<shared::HeightSearch> search;
+    for (const Technique* t : request.techniques)
+        if (t->slot() == Slot::surface) search = t->height_search();
+    f.capture_surfaces = [this, search](gpu::Recorder& r, const CaptureRequest& c) {
+        return capture_surfaces(r, on_gpu, c, search);
     };
     f.add_light = [this](gpu::Recorder& r, const std::vector<Capture>& captures) {
         direct.render(r, captures);
     };
-    f.capture = [this](gpu::Recorder& r, const CaptureRequest& c) {
-        Capture capture = capture_surfaces(r, on_gpu, c);
+    f.capture = [this, search](gpu::Recorder& r, const CaptureRequest& c) {
+        Capture capture = capture_surfaces(r, on_gpu, c, search);
         direct.render(r, {capture});
         return capture;
     };

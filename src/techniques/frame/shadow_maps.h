@@ -32,9 +32,10 @@ public:
     int layers() const { return int(depth_.info().layers); }
 
     // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result, as many
-    // layers as views, is what frame/direct.glsl reads.
+    // layers as views, is what frame/direct.glsl reads. search: of height maps; none: they are not looked at.
     gpu::Image draw(gpu::Recorder& recorder, const GpuScene& scene,
-                    const std::vector<shared::ShadowView>& views, float esm_exponent) const;
+                    const std::vector<shared::ShadowView>& views, float esm_exponent,
+                    const std::optional<shared::HeightSearch>& search) const;
     std::vector<gpu::Image> images() const;
 
 private:

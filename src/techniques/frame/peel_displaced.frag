@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define PEEL
+#define DISPLACED
+#define TEXTURES TEXTURES_ALL
+#include "techniques/frame/gbuffer_fragment.glsl"
