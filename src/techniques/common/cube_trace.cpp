@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/common/cube_trace.h"
+
+#include <bit>
+
+namespace luxel {
+
+void CubeTraceOptions::visit(Visitor& v) {
+    v.choice("search", search, cube_search_names,
+             "how rays meet the distance map; none = environment mapping, parallax = corrected once per "
+             "refine step");
+    v.integer("size", size, {16, 2048}, "texels a side of a cube face; rounded up to a power of two");
+    v.choice("near", near, {"peeled", "faces"},
+             "layers of specular surfaces: by depth, or front and back sides");
+    v.integer("layers", layers, {1, 8}, "specular layers when peeled");
+    v.integer("linear", linear, {1, 4096}, "linear steps at most, for a half turn around the center");
+    v.integer("refine", refine, {0, 64}, "secant, binary or parallax steps");
+    v.real("jump", jump, {0.001, 1000}, "change of distance over two texels, as a share, that is a gap");
+    v.integer("depth", depth, {1, 8}, "specular surfaces on a path, the first included");
+    v.real("least_weight", least_weight, {0, 1}, "branches that would add less than this share are dropped");
+    v.flag("both", both, "follow reflection and refraction; off: the greater of them");
+}
+
+gpu::Bindings TracedCube::bindings() const {
+    using gpu::Sampler;
+    return {{"radiance_map", cube.radiance, Sampler::linear_clamp},
+            {"normal_map", cube.normal, Sampler::linear_clamp},
+            {"material_map", cube.material, Sampler::nearest_clamp},
+            {"distance_map", cube.distance, Sampler::linear_clamp},
+            {"ranges", ranges}};
+}
+
+namespace {
+
+float farthest_corner(const Bounds& b, glm::vec3 from) {
+    return b.empty() ? 1.0f : glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from)));
+}
+
+} // namespace
+
+TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
+                               const std::vector<SceneObject>& specular, glm::vec3 center,
+                               const CubeTraceOptions& options, const std::string& prefix) {
+    const Scene& scene = frame.scene->scene();
+    const bool marched = options.search >= CubeSearch::linear;
+    CubeRequest request{.center = center,
+                        .size = int(std::bit_ceil(unsigned(options.size))),
+                        .layers = {},
+                        .min_max = marched,
+                        .prefix = prefix};
+    if (marched)
+        request.layers = options.near == NearLayers::faces
+                             ? face_layers(only(scene, specular))
+                             : peeled_layers(only(scene, specular), options.layers);
+    const int near_layers = int(request.layers.size());
+    request.layers.push_back({.drawn = all_but(scene, specular)});
+
+    TracedCube traced;
+    traced.cube = capture_cube(recorder, frame, request);
+    const int layers = traced.cube.layers;
+    traced.params = {.center = center,
+                     .layers = layers,
+                     .near_layers = near_layers,
+                     .search = {.linear = options.linear,
+                                .refine = options.refine,
+                                .jump = options.jump,
+                                .texel = 2.0f / float(request.size)},
+                     .depth = options.depth,
+                     .least_weight = options.least_weight,
+                     .both = options.both ? 1u : 0u};
+    traced.ranges =
+        recorder.image({.width = std::uint32_t(layers), .height = 1, .format = VK_FORMAT_R32G32_SFLOAT},
+                       prefix + "cube ranges");
+    if (!marched) {
+        recorder.clear(traced.ranges, {});
+        return traced;
+    }
+    std::vector<int> instances;
+    for (const SceneObject& object : specular)
+        instances.insert(instances.end(), object.instances.begin(), object.instances.end());
+    const shared::CubeRangeParams p{.layers = layers,
+                                    .near_layers = near_layers,
+                                    .near_most = farthest_corner(frame.scene->bounds_of(instances), center),
+                                    .far_most = farthest_corner(frame.scene->bounds(), center)};
+    const gpu::Image coarsest =
+        traced.cube.min_max.mip(std::uint32_t(std::bit_width(unsigned(request.size)) - 1));
+    recorder.dispatch("common/cube_range.comp", {std::uint32_t(layers), 1, 1}, p,
+                      {{"coarsest", coarsest}, {"ranges", traced.ranges}});
+    return traced;
+}
+
+} // namespace luxel

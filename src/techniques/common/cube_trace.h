@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A layered distance cube that rays can be traced through: specular surfaces in near layers, all others in
+// one far layer [Umenhoffer2009, 5.1]. Shaders trace with common/cube_trace.glsl.
+#pragma once
+#include "scene/roles.h"
+#include "techniques/common/cube_trace_params.h"
+#include "techniques/common/distance_cube.h"
+
+namespace luxel {
+
+// How a hit is found. none: environment mapping, by direction alone. parallax: corrected by the distance
+// there. Others: linear search, then secant or binary refinement.
+enum class CubeSearch { none, parallax, linear, secant, binary };
+inline const std::vector<std::string> cube_search_names = {"none", "parallax", "linear", "secant", "binary"};
+// peeled: by distance from the center; faces: front sides and back sides, as the thesis has it.
+enum class NearLayers { peeled, faces };
+
+struct CubeTraceOptions {
+    CubeSearch search = CubeSearch::secant;
+    int size = 256; // texels a side of a face
+    NearLayers near = NearLayers::peeled;
+    int layers = 3; // of specular surfaces, when peeled
+    int linear = 32, refine = 4;
+    float jump = 0.3f;
+    int depth = 4;
+    float least_weight = 0.01f;
+    bool both = true;
+    void visit(Visitor& v);
+};
+
+struct TracedCube {
+    DistanceCube cube;
+    gpu::Image ranges;
+    shared::CubeTraceParams params;
+
+    // What common/cube_trace.glsl declares.
+    gpu::Bindings bindings() const;
+};
+
+// Around `center` (world): near layers of `specular`, a far one of the rest of the scene.
+TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
+                               const std::vector<SceneObject>& specular, glm::vec3 center,
+                               const CubeTraceOptions& options, const std::string& prefix);
+
+} // namespace luxel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Mirrors and glass by rays through distance cube maps: single reflections with one map
+// [Umenhoffer2009, 2.3.2], paths of reflections and refractions with layers of it [Umenhoffer2009, chapter
+// 5].
+#pragma once
+#include "techniques/common/cube_trace.h"
+#include "techniques/technique.h"
+
+namespace luxel {
+
+// One distance cube in the middle of all specular objects, or one at each.
+enum class DistanceMaps { one, each };
+
+class DistanceMap final : public Technique {
+public:
+    Slot slot() const override { return Slot::specular; }
+    void visit(Visitor& v) override;
+    void prepare(gpu::Gpu& gpu, const Scene& scene) override;
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
+
+private:
+    CubeTraceOptions options_;
+    DistanceMaps maps_ = DistanceMaps::each;
+    std::vector<SceneObject> objects_;
+};
+
+} // namespace luxel

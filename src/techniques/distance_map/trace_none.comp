@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#define SEARCH NONE
+#extension GL_GOOGLE_include_directive : require
+#include "techniques/distance_map/trace.glsl"
