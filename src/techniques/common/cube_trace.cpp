@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "core/error.h"
+
 namespace luxel {
 
 void CubeTraceOptions::visit(Visitor& v) {
@@ -19,6 +21,33 @@ void CubeTraceOptions::visit(Visitor& v) {
     v.integer("depth", depth, {1, 8}, "specular surfaces on a path, the first included");
     v.real("least_weight", least_weight, {0, 1}, "branches that would add less than this share are dropped");
     v.flag("both", both, "follow reflection and refraction; off: the greater of them");
+    v.choice("maps", maps, {"one", "each"},
+             "a distance cube in the middle of all specular objects, or one at each");
+}
+
+std::vector<Bounds> bounds_of_maps(const GpuScene& scene, const std::vector<SceneObject>& specular,
+                                   DistanceMaps maps) {
+    std::vector<Bounds> bounds;
+    for (const SceneObject& object : specular) {
+        const Bounds b = scene.bounds_of(object.instances);
+        if (b.empty()) continue;
+        if (bounds.empty() || maps == DistanceMaps::each) bounds.emplace_back();
+        bounds.back().add(b.least), bounds.back().add(b.most);
+    }
+    if (bounds.size() > std::size_t(shared::CUBE_MAX_OBJECTS))
+        fail(Fault::usage,
+             "{}: {} specular objects, at most {} can have a distance cube of their own; use maps=one, or "
+             "give objects "
+             "that are close the same role",
+             scene.scene().name, bounds.size(), shared::CUBE_MAX_OBJECTS);
+    return bounds;
+}
+
+shared::CubeObjects cube_objects(const std::vector<Bounds>& maps) {
+    shared::CubeObjects o{.own = 0, .count = int(maps.size())};
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        o.sphere[i] = {maps[i].center(), std::max(maps[i].radius(), 1e-6f)};
+    return o;
 }
 
 gpu::Bindings TracedCube::bindings() const {

@@ -34,12 +34,13 @@ bool surface_counts(vec3 p, vec3 r, int layer) {
 struct CubePoint {
     vec3 p; // relative to the center
     int layer;
+    bool met; // false: a guess
 };
 
 #if SEARCH <= PARALLAX
 CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
     int far = c.near_layers;
-    return CubePoint(parallax_guess(x, r, far, SEARCH == PARALLAX ? c.search.refine : 0), far);
+    return CubePoint(parallax_guess(x, r, far, SEARCH == PARALLAX ? c.search.refine : 0), far, false);
 }
 #else
 CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
@@ -59,9 +60,9 @@ CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
             hit_layer = layer;
         }
     }
-    if (hit_layer >= 0) return CubePoint(x + r * closest, hit_layer);
+    if (hit_layer >= 0) return CubePoint(x + r * closest, hit_layer, true);
     // Nothing, or what no layer shows: the best guess from afar.
-    return CubePoint(parallax_guess(x, r, c.near_layers, 2), c.near_layers);
+    return CubePoint(parallax_guess(x, r, c.near_layers, 2), c.near_layers, false);
 }
 #endif
 
@@ -77,8 +78,9 @@ struct CubeBranches {
     CubeRay refracted; // weight 0: none
 };
 
-// What leaves a specular surface at x, whose normal is n and whose material is as DistanceCube has it.
-CubeBranches branch(CubeRay ray, vec3 x, vec3 n, vec4 material) {
+// What leaves a specular surface at x, whose normal is n and whose material is as DistanceCube has it. Weights are of
+// radiance, or of a photon's power.
+CubeBranches branch(CubeRay ray, vec3 x, vec3 n, vec4 material, bool radiance) {
     float facing = dot(n, ray.r);
     vec3 toward = facing < 0.0 ? n : -n;
     float cosine = abs(facing);
@@ -97,7 +99,7 @@ CubeBranches branch(CubeRay ray, vec3 x, vec3 n, vec4 material) {
     float eta = ray.inside ? 1.0 / index : index;
     float fresnel = fresnel_dielectric(cosine, eta);
     b.reflected.weight *= fresnel;
-    b.refracted.weight = ray.weight * ((1.0 - fresnel) / (thin ? 1.0 : eta * eta));
+    b.refracted.weight = ray.weight * ((1.0 - fresnel) / (thin || !radiance ? 1.0 : eta * eta));
     if (thin) return b;
     b.refracted.r = refract(ray.r, toward, 1.0 / eta);
     b.refracted.inside = !ray.inside;

@@ -14,6 +14,8 @@ enum class CubeSearch { none, parallax, linear, secant, binary };
 inline const std::vector<std::string> cube_search_names = {"none", "parallax", "linear", "secant", "binary"};
 // peeled: by distance from the center; faces: front sides and back sides, as the thesis has it.
 enum class NearLayers { peeled, faces };
+// One distance cube in the middle of all specular objects, or one at each.
+enum class DistanceMaps { one, each };
 
 struct CubeTraceOptions {
     CubeSearch search = CubeSearch::secant;
@@ -25,8 +27,14 @@ struct CubeTraceOptions {
     int depth = 4;
     float least_weight = 0.01f;
     bool both = true;
+    DistanceMaps maps = DistanceMaps::each;
     void visit(Visitor& v);
 };
+
+// The world bounds of what each cube is for. Error Fault::usage: more than CUBE_MAX_OBJECTS.
+std::vector<Bounds> bounds_of_maps(const GpuScene& scene, const std::vector<SceneObject>& specular,
+                                   DistanceMaps maps);
+shared::CubeObjects cube_objects(const std::vector<Bounds>& maps); // own = 0
 
 struct TracedCube {
     DistanceCube cube;

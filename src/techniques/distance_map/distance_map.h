@@ -8,9 +8,6 @@
 
 namespace luxel {
 
-// One distance cube in the middle of all specular objects, or one at each.
-enum class DistanceMaps { one, each };
-
 class DistanceMap final : public Technique {
 public:
     Slot slot() const override { return Slot::specular; }
@@ -20,7 +17,6 @@ public:
 
 private:
     CubeTraceOptions options_;
-    DistanceMaps maps_ = DistanceMaps::each;
     std::vector<SceneObject> objects_;
 };
 

@@ -5,15 +5,12 @@
 #include "techniques/frame/view_params.h"
 LUXEL_BEGIN
 
-LUXEL_CONST int DISTANCE_MAP_MAX_OBJECTS = 16;
 LUXEL_CONST int DISTANCE_MAP_MAX_DEPTH = 8;
 
 struct DistanceMapParams {
     ViewParams view;
     CubeTraceParams cube;
-    int object;  // whose pixels are shaded: those that are in it more than in any other
-    int objects; // 1: all specular pixels
-    vec4 sphere[DISTANCE_MAP_MAX_OBJECTS]; // of each object: world center and radius
+    CubeObjects objects;
 };
 
 LUXEL_END

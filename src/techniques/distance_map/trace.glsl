@@ -16,17 +16,6 @@ layout(binding = 10) uniform sampler2D specular;
 layout(binding = 11) uniform sampler2D direct; // a = signed_ior
 layout(binding = 12, rgba32f) uniform image2D reflections;
 
-bool is_own(vec3 position) {
-    int nearest = 0;
-    float least = 1e30;
-    for (int i = 0; i < p.objects; ++i) {
-        float share = length(position - p.sphere[i].xyz) / p.sphere[i].w;
-        nearest = share < least ? i : nearest;
-        least = min(least, share);
-    }
-    return nearest == p.object;
-}
-
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(p.view.width, p.view.height)))) return;
@@ -34,7 +23,7 @@ void main() {
     float ior = texelFetch(direct, pixel, 0).a;
     if (z <= 0.0 || ior == 0.0) return;
     vec3 position = world_position(p.view, vec2(pixel) + 0.5, z);
-    if (!is_own(position)) return;
+    if (!is_own(p.objects, position)) return;
 
     CubeRay ray;
     ray.x = position - p.cube.center;
@@ -52,7 +41,7 @@ void main() {
     bool at_surface = true;
     for (;;) {
         if (at_surface) {
-            CubeBranches b = branch(ray, ray.x, n, material);
+            CubeBranches b = branch(ray, ray.x, n, material, true);
             float reflected = max(b.reflected.weight.r, max(b.reflected.weight.g, b.reflected.weight.b));
             float refracted = max(b.refracted.weight.r, max(b.refracted.weight.g, b.refracted.weight.b));
             bool one = p.cube.both == 0u;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Caustics by triangles between neighboring photons [Umenhoffer2009, chapter 6].
+#include "techniques/caustic_triangles/caustic_triangles_params.h"
+#include "techniques/common/caustics.h"
+
+namespace luxel {
+namespace {
+
+enum class CausticArea { third, thesis };
+enum class CausticRim { flux, density };
+
+class CausticTriangles final : public Technique {
+public:
+    Slot slot() const override { return Slot::caustics; }
+    void visit(Visitor& v) override {
+        options_.visit(v);
+        v.choice("area", area_, {"third", "thesis"},
+                 "a photon's share of the triangles around it: a third, or half as the thesis has it");
+        v.choice("rim", rim_, {"flux", "density"},
+                 "a photon whose triangles are missing in part: gives all its light to the others, or their "
+                 "share");
+        v.real("tear", tear_, {0.001, 100},
+               "share of its distance that the middle of a triangle may be off the surface");
+        v.real("least", least_, {0, 100}, "texels below which a triangle is not drawn");
+    }
+    void prepare(gpu::Gpu&, const Scene& scene) override {
+        objects_ = specular_objects(scene), lights_ = caustic_lights(scene, options_);
+    }
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
+        auto scope = recorder.scope("caustic_triangles");
+        return caustics(recorder, frame, objects_, lights_, options_,
+                        [&](gpu::Recorder& r, const Photons& photons, const DistanceCube& receivers,
+                            const std::vector<CausticFace>& faces) { draw(r, photons, receivers, faces); });
+    }
+
+private:
+    void draw(gpu::Recorder& recorder, const Photons& photons, const DistanceCube& receivers,
+              const std::vector<CausticFace>& faces) const {
+        const shared::CausticAreaParams p{.photons = photons.side,
+                                          .size = options_.size,
+                                          .tear = tear_,
+                                          .least = least_,
+                                          .share = area_ == CausticArea::third ? 1.0f / 3.0f : 0.5f,
+                                          .density = rim_ == CausticRim::density ? 1u : 0u};
+        const std::uint32_t side = std::uint32_t(photons.side);
+        gpu::Image areas = recorder.image({.width = side, .height = side, .format = VK_FORMAT_R32G32_SFLOAT},
+                                          "caustic areas");
+        gpu::Image irradiance = recorder.image(
+            {.width = side, .height = side, .format = VK_FORMAT_R32G32B32A32_SFLOAT}, "caustic irradiance");
+        recorder.dispatch("caustic_triangles/areas.comp", extent_of(areas), p,
+                          {{"hits", photons.hits},
+                           {"distance_map", receivers.distance, gpu::Sampler::linear_clamp},
+                           {"areas", areas}});
+        recorder.dispatch("caustic_triangles/irradiance.comp", extent_of(areas), p,
+                          {{"powers", photons.powers}, {"areas", areas}, {"irradiance", irradiance}});
+
+        const std::vector<gpu::Batch> all = {{.draws = {{.count = 6 * side * side}}}};
+        for (const CausticFace& face : faces) {
+            const gpu::RasterPass pass{.color = {{.image = face.target, .blend = gpu::Blend::add}}};
+            recorder.draw("caustic_triangles/triangle", pass, face.params,
+                          {{"hits", photons.hits}, {"areas", areas}, {"irradiance", irradiance}}, {}, all);
+            splat_photons(recorder, photons, irradiance, receivers, face, face.params.radius);
+        }
+    }
+
+    CausticOptions options_;
+    CausticArea area_ = CausticArea::third;
+    CausticRim rim_ = CausticRim::density;
+    float tear_ = 0.3f;
+    float least_ = 0.1f;
+    std::vector<SceneObject> objects_;
+    std::vector<shared::Light> lights_;
+};
+
+} // namespace
+
+std::unique_ptr<Technique> make_caustic_triangles() { return std::make_unique<CausticTriangles>(); }
+
+} // namespace luxel

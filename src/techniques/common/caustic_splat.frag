@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A cone whose sum over the texels is the photon's power [Le2014, 3.3.2.3].
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "techniques/common/caustics_params.h"
+
+layout(set = 0, binding = 0, scalar) uniform params { CausticFaceParams p; };
+layout(location = 0) in vec2 offset;
+layout(location = 1) flat in vec3 irradiance;
+layout(location = 0) out vec4 sum;
+
+void main() {
+    float kernel = 3.0 / (PI * p.radius * p.radius) * max(1.0 - length(offset), 0.0);
+    sum = vec4(irradiance * kernel, 0.0);
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Caustics by photons that are traced through a distance cube, collected in a cube map and projected on what
+// is seen [Umenhoffer2009, chapter 6]. Techniques differ in how they make irradiance of photons.
+#pragma once
+#include <functional>
+
+#include "techniques/common/caustics_params.h"
+#include "techniques/common/cube_trace.h"
+#include "techniques/technique.h"
+
+namespace luxel {
+
+struct CausticOptions {
+    CubeTraceOptions cube;
+    int photons = 128; // a side of the photon image of each light and object
+    int size = 256;    // texels a side of the caustic cube map
+    bool mirrored = true;
+    int environment_lights = 8, emitter_lights = 8;
+    void visit(Visitor& v);
+};
+
+// What the light of one lamp becomes that meets one specular object.
+struct Photons {
+    gpu::Image hits;   // RGBA32F: relative to the cube's center, m; a = 1 where there is a photon
+    gpu::Image powers; // RGBA32F: W
+    int side = 0;
+};
+// One face of the caustic cube map to draw on, with additive blending.
+struct CausticFace {
+    gpu::Image target;
+    shared::CausticFaceParams params;
+};
+
+// Draws photons on all faces; called for each photon image.
+using CausticDraw = std::function<void(gpu::Recorder&, const Photons&, const DistanceCube& receivers,
+                                       const std::vector<CausticFace>& faces)>;
+
+// The lights that send photons: the scene's own, samples of its emitters and of its environment.
+std::vector<shared::Light> caustic_lights(const Scene& scene, const CausticOptions& options);
+
+Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
+                      const std::vector<shared::Light>& lights, const CausticOptions& options,
+                      const CausticDraw& draw);
+
+// As cones of that radius in texels; pixels whose power has a = 1 are left out.
+void splat_photons(gpu::Recorder& recorder, const Photons& photons, const gpu::Image& powers,
+                   const DistanceCube& receivers, const CausticFace& face, float radius);
+
+} // namespace luxel
