@@ -2,6 +2,8 @@
 // luxel reproduce: a thesis's claims beside measurements.
 #include <cstdio>
 
+#include <fmt/ranges.h>
+
 #include "core/error.h"
 #include "experiments/output_folder.h"
 #include "experiments/reproduce.h"
@@ -20,15 +22,26 @@ struct Options {
 
 using Reproduce = Reproduction (*)(const ReproduceSettings&);
 
-// What there is, by thesis and chapter.
+// What there is, by thesis and chapter; the first of a thesis where none is named.
+struct Known {
+    const char* thesis;
+    int chapter;
+    Reproduce reproduce;
+};
+constexpr Known all_known[] = {{"rohleder-2010", 5, reproduce_rohleder_2010},
+                               {"umenhoffer-2009", 4, reproduce_umenhoffer_2009_occlusion},
+                               {"umenhoffer-2009", 5, reproduce_umenhoffer_2009_reflections},
+                               {"umenhoffer-2009", 6, reproduce_umenhoffer_2009_caustics}};
+
 Reproduce find(const Options& o) {
-    if (o.thesis == "rohleder-2010" && (o.chapter == 0 || o.chapter == 5)) return reproduce_rohleder_2010;
-    if (o.thesis == "umenhoffer-2009" && (o.chapter == 0 || o.chapter == 4))
-        return reproduce_umenhoffer_2009_occlusion;
-    fail(Fault::usage,
-         "reproduce: nothing of {} chapter {}; known are rohleder-2010 --chapter 5 and "
-         "umenhoffer-2009 --chapter 4",
-         o.thesis, o.chapter);
+    std::vector<std::string> names;
+    for (const Known& known : all_known) {
+        if (o.thesis == known.thesis && (o.chapter == 0 || o.chapter == known.chapter))
+            return known.reproduce;
+        names.push_back(fmt::format("{} --chapter {}", known.thesis, known.chapter));
+    }
+    fail(Fault::usage, "reproduce: nothing of {} chapter {}; known are {}", o.thesis, o.chapter,
+         fmt::join(names, ", "));
 }
 
 void run(const Options& o, const Global& global) {

@@ -6,65 +6,13 @@
 
 #include <fmt/ranges.h>
 
+#include "experiments/reproduce_views.h"
 #include "experiments/statistics.h"
 #include "experiments/timing.h"
 
 namespace luxel {
 
 namespace {
-
-constexpr int fewest_timed_frames = 3; // of which a median leaves an outlier out
-constexpr const char* not_measurable = "not measurable";
-
-// All views of all scenes, each with its rows in the order of `uses` behind the baseline.
-std::vector<ViewResult> run(const ReproduceSettings& settings, gpu::Gpu& gpu,
-                            const std::vector<std::string>& uses, const std::vector<std::string>& scenes,
-                            const TruthSettings& truth, Reproduction& out) {
-    Experiment experiment;
-    experiment.name = "reproduce";
-    experiment.uses = uses;
-    experiment.truth = truth;
-    experiment.timed_frames = settings.timed_frames;
-    for (const std::string& source : scenes) {
-        SceneEntry entry;
-        entry.name = entry.source = entry.file = entry.group = source;
-        entry.load.strict = settings.strict;
-        const ViewChoice choice = {.drawn = settings.views_per_scene, .seed = std::uint32_t(truth.seed)};
-        entry.views = {{.choice = choice, .width = settings.width, .height = settings.height}};
-        experiment.scenes.push_back(entry);
-    }
-    RunOptions options = settings.run;
-    options.gpu = &gpu;
-    options.pictures = [](const SceneEntry&, const ViewPictures&) { return nullptr; };
-    const ExperimentResult result = run_experiment(experiment, options);
-
-    std::vector<ViewResult> views;
-    for (const SceneResult& scene : result.scenes) {
-        views.insert(views.end(), scene.views.begin(), scene.views.end());
-        for (const std::string& warning : scene.warnings)
-            if (std::find(out.warnings.begin(), out.warnings.end(), warning) == out.warnings.end())
-                out.warnings.push_back(warning);
-    }
-    return views;
-}
-
-// None where a view has none.
-template <class Value>
-std::optional<std::vector<double>> over_all(const std::vector<ViewResult>& views, Value&& value) {
-    std::vector<double> values;
-    for (const ViewResult& view : views) {
-        const std::optional<double> one = value(view);
-        if (!one) return std::nullopt;
-        values.push_back(*one);
-    }
-    return values;
-}
-
-std::string setting(const std::vector<ViewResult>& views, const std::vector<std::string>& scenes,
-                    const ReproduceSettings& settings) {
-    return fmt::format("{} views of {} at {}x{}, {} samples a pixel for the truth", views.size(),
-                       fmt::join(scenes, ", "), settings.width, settings.height, settings.truth.spp);
-}
 
 // The thesis's statements on light for one row; each names the mode.
 void add_radiosity(Reproduction& out, const std::vector<ViewResult>& views, std::size_t row,
@@ -180,13 +128,6 @@ void add_times(Reproduction& out, const std::vector<ViewResult>& views, std::siz
     }
 }
 
-std::string about_times(const ReproduceSettings& settings) {
-    return fmt::format(
-        "times are sums of a technique's own passes, each the median of {} frames in which the "
-        "rows take turns{}",
-        settings.timed_frames, settings.timed_frames < fewest_timed_frames ? ", too few for a verdict" : "");
-}
-
 } // namespace
 
 Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings) {
@@ -196,7 +137,8 @@ Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings) {
     TruthSettings e = settings.truth;
     e.components = {"direct", "diffuse1"};
     gpu::Gpu gpu({.device = settings.run.device});
-    const auto views = run(settings, gpu, {"isr:samples=80", "isr:mode=thesis,samples=80"}, scenes, e, out);
+    const auto views =
+        reproduce_views(settings, gpu, {"isr:samples=80", "isr:mode=thesis,samples=80"}, scenes, e, out);
     out.source = setting(views, scenes, settings);
     const char* modes[] = {"calibrated", "thesis"};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -241,7 +183,7 @@ Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settin
                         fmt::format("volumetric:radius={},samples=4,normalization={}", radius, kind));
 
             const bool timed = s.membership == Membership::step && radius < 0.5f;
-            const auto views = run(timed ? settings : untimed, gpu, uses, scenes, e, out);
+            const auto views = reproduce_views(timed ? settings : untimed, gpu, uses, scenes, e, out);
             out.source = setting(views, scenes, settings);
             std::size_t row = 1;
             for (const int samples : sample_counts) {

@@ -25,7 +25,7 @@ struct Reproduction {
 
 struct ReproduceSettings {
     std::vector<std::string> scenes; // empty: built-in ones
-    int views_per_scene = 2;
+    int views_per_scene = 2;         // 0: the scene's own cameras
     int width = 192, height = 144;
     int timed_frames = 5; // the rows take turns; fewer than 3 have no median to speak of
     TruthSettings truth;  // samples and seed; the rest is set here
@@ -38,6 +38,12 @@ Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings);
 
 // Ambient occlusion in screen space against ray-traced occlusion [Umenhoffer2009, ch. 4].
 Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settings);
+
+// Rays through layered distance maps: steps of the search, and depth [Umenhoffer2009, ch. 5].
+Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& settings);
+
+// What the resolutions of caustic triangles cost [Umenhoffer2009, ch. 6].
+Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& settings);
 
 std::string format_reproduction(const Reproduction& reproduction);
 

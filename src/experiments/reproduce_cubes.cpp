@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Chapters on distance cube maps: reflections and refractions, caustics.
+#include <fmt/format.h>
+
+#include "experiments/reproduce_views.h"
+#include "experiments/statistics.h"
+#include "experiments/timing.h"
+
+namespace luxel {
+
+namespace {
+
+// A technique's passes, but for the capture of its distance cubes where that is asked for.
+std::optional<double> own_time(const std::vector<gpu::PassTime>& passes, const std::string& technique,
+                               bool cubes) {
+    const std::optional<double> all = time_in_scope(passes, technique);
+    if (!all || cubes) return all;
+    return *all - time_in_scope(passes, technique + ": cube").value_or(0.0);
+}
+
+struct Times {
+    std::string technique;
+    bool cubes; // with the capture of its distance cubes
+};
+
+// The median over views of one row's own time over another's. `grows`: the sign that is claimed.
+void add_ratio(Reproduction& out, const ReproduceSettings& settings, const std::vector<ViewResult>& views,
+               const Times& times, const std::string& subject, const std::string& claim,
+               std::optional<bool> grows, std::size_t row, std::size_t base) {
+    const auto ratios = over_all(views, [&](const ViewResult& v) -> std::optional<double> {
+        const auto ms = own_time(v.rows[row].passes, times.technique, times.cubes),
+                   of = own_time(v.rows[base].passes, times.technique, times.cubes);
+        return ms && of && *of > 0 ? std::optional(*ms / *of) : std::nullopt;
+    });
+    Statement statement = {subject, claim, not_measurable, {}, std::nullopt};
+    if (ratios) {
+        const double ratio = median(*ratios);
+        statement.values = {ratio};
+        statement.measured = fmt::format("{:.2f}", ratio);
+        if (grows && settings.timed_frames >= fewest_timed_frames) statement.holds = (ratio > 1) == *grows;
+    }
+    out.statements.push_back(statement);
+}
+
+double mean_delta(const std::vector<ViewResult>& views, std::size_t row) {
+    double mean = 0;
+    for (const ViewResult& view : views) mean += view.rows[row].figures.delta / double(views.size());
+    return mean;
+}
+
+} // namespace
+
+Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& given) {
+    Reproduction out;
+    ReproduceSettings settings = given;
+    if (settings.scenes.empty())
+        settings.scenes = {"builtin:teapot-box", "builtin:glass-metal"}, settings.views_per_scene = 0;
+    TruthSettings truth = settings.truth;
+    truth.components = {"direct", "reflections"};
+
+    // Fig. 5.5, with the thesis's layers, then depths.
+    std::vector<std::string> uses;
+    struct Steps {
+        int linear, secant;
+    };
+    constexpr Steps steps[] = {{15, 1}, {15, 10}, {80, 1}, {80, 10}};
+    for (const Steps& s : steps)
+        uses.push_back(
+            fmt::format("distance_map:near=faces,depth=8,linear={},refine={}", s.linear, s.secant));
+    const std::size_t first_depth = uses.size() + 1;
+    constexpr int depths[] = {1, 2, 3, 4, 8};
+    for (const int depth : depths) uses.push_back(fmt::format("distance_map:near=faces,depth={}", depth));
+
+    gpu::Gpu gpu({.device = settings.run.device});
+    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
+    out.source = setting(views, settings.scenes, settings);
+    const auto name = [&](std::size_t i) { return fmt::format("{}/{}", steps[i].linear, steps[i].secant); };
+    for (const auto& [better, worse] : {std::pair<std::size_t, std::size_t>{1, 0}, {2, 0}, {3, 1}, {3, 2}}) {
+        const double a = mean_delta(views, better + 1), b = mean_delta(views, worse + 1);
+        out.statements.push_back({fmt::format("linear/secant steps {} against {}", name(better), name(worse)),
+                                  "lower error",
+                                  fmt::format("{:.4f} against {:.4f}", a, b),
+                                  {a, b},
+                                  a < b});
+    }
+    for (std::size_t i = 1; i < std::size(depths); ++i)
+        add_ratio(out, settings, views, {"distance_map", true},
+                  fmt::format("time at depth {} over depth 1", depths[i]), "little above 1", true,
+                  first_depth + i, first_depth);
+    out.remarks = {
+        "figures are mean errors of display values against direct light and reflections up to depth 8",
+        "layers are front sides, back sides and all else, as the thesis ran; cubes of 256 where it had 512",
+        about_times(settings)};
+    return out;
+}
+
+Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& given) {
+    Reproduction out;
+    ReproduceSettings settings = given;
+    if (settings.scenes.empty())
+        settings.scenes = {"builtin:metal-ring", "builtin:glass-sphere"}, settings.views_per_scene = 0;
+    TruthSettings truth = settings.truth;
+    truth.components = {"direct"};
+
+    // Table 6.1: along one row, then along one column.
+    struct Entry {
+        int photons, cube;
+        double frames_per_second;
+    };
+    constexpr Entry entries[] = {{32, 256, 280}, {64, 256, 165}, {128, 256, 60}, {256, 256, 16},
+                                 {128, 64, 63},  {128, 128, 62}, {128, 512, 60}};
+    std::vector<std::string> uses;
+    for (const Entry& e : entries)
+        uses.push_back(fmt::format("caustic_triangles:photons={},caustic_size={}", e.photons, e.cube));
+    gpu::Gpu gpu({.device = settings.run.device});
+    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
+    out.source = setting(views, settings.scenes, settings);
+    const auto add = [&](std::size_t row, std::size_t base, const std::string& subject) {
+        add_ratio(out, settings, views, {"caustic_triangles", false}, subject,
+                  fmt::format("{:.2f}", entries[base].frames_per_second / entries[row].frames_per_second),
+                  true, row + 1, base + 1);
+    };
+    for (std::size_t i = 1; i < 4; ++i)
+        add(i, 0, fmt::format("time of {0}x{0} photons over 32x32, cube of 256", entries[i].photons));
+    for (const std::size_t i : {5, 2, 6})
+        add(i, 4, fmt::format("time of a cube of {} over 64, 128x128 photons", entries[i].cube));
+    out.remarks = {"the thesis's frames a second are of its whole frame; here times are of the technique, "
+                   "without the capture of its distance cubes, which depends on neither",
+                   about_times(settings)};
+    return out;
+}
+
+} // namespace luxel

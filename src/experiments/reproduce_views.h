@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the reproductions of theses share: rows of techniques over views of scenes.
+#pragma once
+#include "experiments/reproduce.h"
+
+namespace luxel {
+
+constexpr int fewest_timed_frames = 3; // of which a median leaves an outlier out
+constexpr const char* not_measurable = "not measurable";
+
+// All views of all scenes, each with its rows in the order of `uses` behind the baseline.
+std::vector<ViewResult> reproduce_views(const ReproduceSettings& settings, gpu::Gpu& gpu,
+                                        const std::vector<std::string>& uses,
+                                        const std::vector<std::string>& scenes, const TruthSettings& truth,
+                                        Reproduction& out);
+
+// None where a view has none.
+template <class Value>
+std::optional<std::vector<double>> over_all(const std::vector<ViewResult>& views, Value&& value) {
+    std::vector<double> values;
+    for (const ViewResult& view : views) {
+        const std::optional<double> one = value(view);
+        if (!one) return std::nullopt;
+        values.push_back(*one);
+    }
+    return values;
+}
+
+// What was run, in words.
+std::string setting(const std::vector<ViewResult>& views, const std::vector<std::string>& scenes,
+                    const ReproduceSettings& settings);
+std::string about_times(const ReproduceSettings& settings);
+
+} // namespace luxel
