@@ -156,5 +156,27 @@ TEST_F(SurfaceTest, SearchesComeNearerToTheTessellationThanGuesses) {
     }
 }
 
+// Occlusion has no code for reliefs: it reads their depth and normals, and darkens their grooves as those of
+// the tessellation.
+TEST_F(SurfaceTest, OcclusionSeesTheRelief) {
+    const Scene scene = relief(), detailed = with_height_fields(scene);
+    const auto accessibility = [this](const Scene& s, const char* use) {
+        std::vector<std::unique_ptr<Technique>> techniques;
+        RenderRequest request{.camera = s.cameras.at(0), .width = 128, .height = 96, .accessibility = true};
+        for (const char* name : {use, "volumetric:radius=0.1,samples=16"}) {
+            if (!*name) continue;
+            techniques.push_back(make_technique(parse_specification(name)));
+            request.techniques.push_back(techniques.back().get());
+        }
+        FrameOptions options;
+        options.shadow_size = 256, options.mipmaps = false;
+        return Renderer(gpu(), s, options).render(request).accessibility;
+    };
+    const Image truth = accessibility(detailed, "");
+    const double without = mean_difference(accessibility(scene, ""), truth);
+    EXPECT_GT(without, 0.004); // half of what was measured
+    EXPECT_LT(mean_difference(accessibility(scene, "relief"), truth), 0.1 * without);
+}
+
 } // namespace
 } // namespace luxel
