@@ -20,6 +20,12 @@ Scene shapes(ShapesLight light);
 Scene sphere_in_box();
 // Cobbled floor and brick wall by height maps, under a low sun.
 Scene relief();
+// Ball with the role "dynamic ball" in the closed box [-1, 1]^3 of six colors, `distance` times its diameter
+// away from the face +x, from the edge to -y or from the corner to +z. Either black walls emit their color,
+// or eight lamps light them. Cameras: in the room, and from behind the wall +x onto the side that faces it.
+enum class BallPlace { face, edge, corner };
+enum class BallLight { walls, lamps };
+Scene ball_room(BallPlace place, float distance, BallLight light);
 // Replaces each triangle by 4^levels: same surface, more triangles.
 Scene subdivide(const Scene& scene, int levels);
 

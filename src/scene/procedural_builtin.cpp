@@ -48,6 +48,19 @@ std::vector<Entry> base_entries() {
         entries.push_back({fmt::format("water-{}", seconds), fmt::format("water {} seconds later", seconds),
                            [value] { return water(value); }});
     }
+    const std::pair<const char*, BallPlace> places[] = {
+        {"face", BallPlace::face}, {"edge", BallPlace::edge}, {"corner", BallPlace::corner}};
+    for (const auto& [place_name, place] : places)
+        for (const char* diameters : {"1", "0.2", "0.02"}) {
+            const float value = std::stof(diameters);
+            entries.push_back({fmt::format("ball-room-{}-{}", place_name, diameters),
+                               fmt::format("ball {} diameters from a {} of a box of six colors, eight lamps",
+                                           diameters, place_name),
+                               [=, p = place] { return ball_room(p, value, BallLight::lamps); }});
+            entries.push_back({fmt::format("glow-room-{}-{}", place_name, diameters),
+                               "the same with black walls that emit their color",
+                               [=, p = place] { return ball_room(p, value, BallLight::walls); }});
+        }
     return entries;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/common/distance_cube.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/error.h"
@@ -44,11 +45,11 @@ std::vector<Capture> capture_faces(gpu::Recorder& recorder, const Frame& frame, 
     std::vector<Capture> captures;
     for (const CubeLayer& layer : request.layers)
         for (int face = 0; face < faces; ++face) {
-            CaptureRequest c{
-                .view = cube_face_view(request.center, face, request.size, farthest * near_by_far, farthest),
-                .prefix = request.prefix + "face ",
-                .sides = layer.sides,
-                .drawn = layer.drawn};
+            CaptureRequest c{.view = cube_face_view(layer.center.value_or(request.center), face, request.size,
+                                                    farthest * near_by_far, farthest),
+                             .prefix = request.prefix + "face ",
+                             .sides = layer.sides,
+                             .drawn = layer.drawn};
             LUXEL_ASSERT(!layer.behind || captures.size() >= faces, "layers={}", request.layers.size());
             if (layer.behind) c.farther_than = captures[captures.size() - faces].gbuffer.depth;
             captures.push_back(frame.capture_surfaces(recorder, c));
@@ -127,7 +128,10 @@ shared::ViewParams cube_face_view(glm::vec3 center, int face, int size, float ne
 DistanceCube capture_cube(gpu::Recorder& recorder, const Frame& frame, const CubeRequest& request) {
     auto scope = recorder.scope("cube");
     DistanceCube cube = make_images(recorder, request);
-    const float farthest = farthest_corner(frame.scene->bounds(), request.center) * 1.001f;
+    float farthest = 0.0f;
+    for (const CubeLayer& layer : request.layers)
+        farthest = std::max(
+            farthest, farthest_corner(frame.scene->bounds(), layer.center.value_or(request.center)) * 1.001f);
     cube.background = request.background > 0.0f ? request.background : 100.0f * farthest;
 
     std::vector<Capture> captures = capture_faces(recorder, frame, request, farthest);

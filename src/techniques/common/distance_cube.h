@@ -8,6 +8,7 @@
 // distance has an image of its own, since searches read nothing else, many times. shared/cube.h says which
 // texel is which direction.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ enum class CubeLight { all, diffuse };
 struct CubeLayer {
     std::vector<bool> drawn; // by the scene's instances (scene/roles.h); empty: all
     Sides sides = Sides::standard;
-    bool behind = false; // only what is farther than the layer before
+    bool behind = false;             // only what is farther than the layer before
+    std::optional<glm::vec3> center; // instead of the request's
 };
 
 struct CubeRequest {

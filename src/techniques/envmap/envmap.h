@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Diffuse environment mapping [Umenhoffer2009, chapter 3]: what surrounds an object, seen from its center and
+// reduced to a few dozen quadrilaterals, lights each of its points.
+#pragma once
+#include "techniques/frame/frame.h"
+#include "techniques/technique.h"
+
+namespace luxel {
+
+enum class EnvmapEstimator { classic, point, disc, polygon };
+enum class EnvmapHorizon { clip, clamp_sum, thesis };
+enum class EnvmapCorner { exact, averaged };
+enum class EnvmapRadiance { texel, corners };
+enum class EnvmapProbes { objects, grid };
+enum class EnvmapLight { bounce, all };
+
+struct EnvmapOptions {
+    EnvmapEstimator estimator = EnvmapEstimator::polygon;
+    EnvmapHorizon horizon = EnvmapHorizon::clip;
+    EnvmapCorner corner = EnvmapCorner::exact;
+    EnvmapRadiance radiance = EnvmapRadiance::texel;
+    EnvmapLight light = EnvmapLight::bounce;
+    int texels = 4; // M: a side of a face, 2, 4 or 8
+    int size = 128; // of the captured cube
+    EnvmapProbes probes = EnvmapProbes::objects;
+    int grid = 4; // probes along the scene's longest side, probes=grid only
+    void visit(Visitor& v);
+};
+
+class Envmap final : public Technique {
+public:
+    Slot slot() const override { return Slot::diffuse; }
+    void visit(Visitor& v) override { options_.visit(v); }
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
+
+private:
+    EnvmapOptions options_;
+};
+
+} // namespace luxel

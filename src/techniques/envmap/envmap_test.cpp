@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Diffuse environment mapping against closed forms: boxes of uniform walls, and what belongs to no object.
+#include "techniques/envmap/envmap.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/procedural.h"
+#include "support/box_quads.h"
+#include "support/gpu.h"
+#include "techniques/frame/projection.h"
+#include "techniques/frame/renderer.h"
+
+namespace luxel {
+namespace {
+
+using glm::vec3;
+using namespace testing;
+
+constexpr int size = 64;
+
+class EnvmapTest : public GpuTest {
+protected:
+    // One technique on one scene, whose instances may move between frames.
+    struct Session {
+        std::unique_ptr<Renderer> renderer;
+        std::unique_ptr<Technique> technique;
+        RenderRequest request;
+        RenderResult frame() { return renderer->render(request); }
+        // The technique's own light.
+        Image light() { return frame().images.at("envmap radiance"); }
+    };
+    Session session(const Scene& scene, const std::string& parameters, std::size_t camera = 0) {
+        FrameOptions options;
+        options.emitter_lights = 0, options.environment = EnvironmentMode::none;
+        Session s{std::make_unique<Renderer>(gpu(), scene, options),
+                  make_technique(parse_specification("envmap:" + parameters)),
+                  {}};
+        s.request = {.camera = scene.cameras.at(camera),
+                     .width = size,
+                     .height = size,
+                     .techniques = {s.technique.get()},
+                     .images = {"envmap radiance", "depth", "normal"}};
+        return s;
+    }
+};
+
+TEST_F(EnvmapTest, FormFactorOnTheGpuIsTheClosedForm) {
+    std::vector<glm::vec4> quads, receivers;
+    for (int face = 0; face < 6; ++face) {
+        shared::Quad q = wall_quad(face, 1, 0, 0, vec3(0));
+        for (vec3 corner : {q.a, q.b, q.c, q.d}) quads.emplace_back(corner, float(wall_radiance[face]));
+    }
+    std::mt19937 random(11);
+    std::vector<double> expected;
+    for (int i = 0; i < 1000; ++i) {
+        BoxReceiver r = random_receiver(random);
+        receivers.emplace_back(r.position, 0.0f), receivers.emplace_back(r.normal, 0.0f);
+        double sum = 0;
+        for (int face = 0; face < 6; ++face)
+            sum += wall_radiance[face] * lambert_irradiance(wall_quad(face, 1, 0, 0, r.position), r.normal);
+        expected.push_back(sum);
+    }
+    gpu::Buffer found = gpu().buffer(expected.size() * sizeof(float), "found");
+    gpu::Recorder recorder(gpu());
+    recorder.dispatch("envmap/test/form_factor.comp", {1000}, gpu::Recorder::NoParams{},
+                      {{"Quads", gpu().upload(std::span<const glm::vec4>(quads), "quads")},
+                       {"Receivers", gpu().upload(std::span<const glm::vec4>(receivers), "receivers")},
+                       {"Found", found}});
+    recorder.submit();
+    std::vector<float> values = gpu().read_all<float>(found);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        ASSERT_NEAR(double(values[i]) / expected[i], 1.0, 1e-3) << i;
+}
+
+// A ball of albedo .8 within walls of radiance 1.
+Scene ball_in_furnace() {
+    Scene scene = ball_room(BallPlace::corner, 0.1f, BallLight::walls);
+    for (int wall = 0; wall < 6; ++wall) scene.materials[std::size_t(wall)].emission = vec3(1.0f);
+    return scene;
+}
+
+struct Spread {
+    float least = 1e30f, most = -1e30f;
+};
+// Of one channel over the pixels that the technique lights.
+Spread spread_of(const Image& light) {
+    Spread s;
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x)
+            if (float v = light.at(x, y)[0]; v > 0.0f)
+                s.least = std::min(s.least, v), s.most = std::max(s.most, v);
+    return s;
+}
+
+TEST_F(EnvmapTest, ClosedRoomOfRadianceOneGivesOne) {
+    Scene scene = ball_in_furnace();
+    for (std::size_t camera : {0u, 1u})
+        for (const char* parameters :
+             {"light=all,texels=2", "light=all,texels=4", "light=all,texels=8",
+              "light=all,corner=averaged,radiance=corners", "light=all,estimator=classic"}) {
+            Spread s = spread_of(session(scene, parameters, camera).light());
+            EXPECT_NEAR(s.least, 0.8f, 4e-3f) << parameters;
+            EXPECT_NEAR(s.most, 0.8f, 4e-3f) << parameters;
+        }
+    EXPECT_GT(spread_of(session(scene, "light=all,horizon=thesis").light()).least, 1.6f);
+}
+
+// Errors of the light on the ball against the closed form of its six walls, over the mean of that.
+struct Errors {
+    double rms = 0, most = 0;
+};
+Errors errors_on_ball(const Scene& scene, const RenderResult& result, std::size_t camera) {
+    const shared::ViewParams view = view_params(scene.cameras[camera], size, size);
+    const Image &light = result.images.at("envmap radiance"), &depth = result.images.at("depth"),
+                &normal = result.images.at("normal");
+    double squares = 0, truth = 0, pixels = 0;
+    Errors e;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            if (light.at(x, y)[3] == 0.0f) continue; // not of the ball
+            vec3 position = world_position(view, glm::vec2(x, y) + 0.5f, *depth.at(x, y));
+            vec3 n = glm::normalize(normal.rgb(x, y));
+            double expected = 0;
+            for (int wall = 0; wall < 6; ++wall)
+                expected += double(scene.materials[std::size_t(wall)].emission.g) *
+                            lambert_irradiance(wall_quad(wall, 1, 0, 0, position), n);
+            expected *= 0.8 / double(shared::PI);
+            const double d = std::abs(double(light.at(x, y)[1]) - expected);
+            squares += d * d, truth += expected, e.most = std::max(e.most, d), ++pixels;
+        }
+    truth /= pixels;
+    return {std::sqrt(squares / pixels) / truth, e.most / truth};
+}
+
+TEST_F(EnvmapTest, PolygonsStayBoundedNearWallsAndPointsDoNot) {
+    // Six colors of walls, the ball from one diameter to a fiftieth away from one, two or three of them.
+    Errors polygon, point;
+    for (BallPlace place : {BallPlace::face, BallPlace::edge, BallPlace::corner})
+        for (float distance : {1.0f, 0.2f, 0.02f})
+            for (std::size_t camera : {0u, 1u}) {
+                Scene scene = ball_room(place, distance, BallLight::walls);
+                auto run = [&](const std::string& parameters, Errors& worst) {
+                    Errors e = errors_on_ball(
+                        scene, session(scene, "light=all," + parameters, camera).frame(), camera);
+                    worst.rms = std::max(worst.rms, e.rms), worst.most = std::max(worst.most, e.most);
+                };
+                run("estimator=polygon", polygon);
+                run("estimator=point", point);
+            }
+    EXPECT_LT(polygon.rms, 0.08);
+    EXPECT_GT(point.rms, 10 * polygon.rms);
+    EXPECT_GT(point.most, 10 * polygon.most);
+}
+
+TEST_F(EnvmapTest, FollowsAMovedObjectWithoutPreparation) {
+    Scene scene = ball_room(BallPlace::face, 1.0f, BallLight::walls);
+    Session s = session(scene, "light=all");
+    const Image before = s.light();
+    scene.instances[6].transform[3] = glm::vec4(-0.6f, 0.3f, 0.2f, 1.0f);
+    s.renderer->update_motion();
+    const RenderResult after = s.frame();
+    EXPECT_NE(before.data, after.images.at("envmap radiance").data);
+    EXPECT_LT(errors_on_ball(scene, after, 0).rms, 0.08);
+    // Back where it was, it looks as it did.
+    scene.instances[6].transform = glm::mat4(1.0f);
+    s.renderer->update_motion();
+    EXPECT_EQ(before.data, s.light().data);
+}
+
+TEST_F(EnvmapTest, ObjectsLightEachOtherButNotThemselves) {
+    // Two glowing balls and nothing else.
+    Scene scene;
+    for (int i = 0; i < 2; ++i) {
+        Material m;
+        m.base_color = glm::vec4(0.5f, 0.5f, 0.5f, 1.0f), m.metallic = 0.0f, m.specular = 0.0f;
+        m.emission = i == 0 ? vec3(1, 0, 0) : vec3(0, 1, 0);
+        scene.materials.push_back(m);
+        Mesh mesh;
+        add_sphere(mesh, {i == 0 ? -1.0f : 1.0f, 0, 0}, 0.5f, 48, 24);
+        mesh.material = i;
+        scene.meshes.push_back(mesh);
+        scene.instances.push_back(
+            {.name = "ball", .mesh = i, .role = i == 0 ? "dynamic left" : "dynamic right"});
+    }
+    Camera camera;
+    camera.position = {0, 0, 4};
+    scene.cameras.push_back(camera);
+    Image light = session(scene, "light=all,size=64,texels=8").light();
+    vec3 left(0), right(0);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) (x < size / 2 ? left : right) += light.rgb(x, y);
+    EXPECT_EQ(left.r, 0.0f);
+    EXPECT_GT(left.g, 0.1f);
+    EXPECT_EQ(right.g, 0.0f);
+    EXPECT_NEAR(right.r / left.g, 1.0f, 0.02f);
+}
+
+TEST_F(EnvmapTest, LightsObjectsOnlyUnlessThereIsAGrid) {
+    Scene scene = sphere_in_box(); // without roles
+    EXPECT_EQ(spread_of(session(scene, "size=16").light()).most, -1e30f);
+    Image light = session(scene, "probes=grid,grid=3,size=16,texels=2").light();
+    int lit = 0;
+    for (int i = 0; i < size * size; ++i) lit += light.at(i % size, i / size)[0] > 1e-4f;
+    EXPECT_GT(lit, size * size / 2);
+}
+
+TEST_F(EnvmapTest, GridLightsTheWallsOfAClosedRoom) {
+    // Radiance 1 everywhere, albedo .5; on each wall itself the polygons of that wall send nothing.
+    Scene scene = furnace(0.5f);
+    scene.cameras[0].position = {0.7f, 0.5f, 0.8f};
+    for (const char* parameters :
+         {"light=all,probes=grid,grid=2,size=64", "light=all,probes=grid,grid=2,size=64,estimator=classic"}) {
+        Image light = session(scene, parameters).light();
+        double sum = 0;
+        for (int i = 0; i < size * size; ++i) sum += double(light.at(i % size, i / size)[0]);
+        EXPECT_NEAR(sum / (size * size), 0.5, 0.01) << parameters;
+    }
+}
+
+TEST_F(EnvmapTest, SizesMustBePowersOfTwo) {
+    Scene scene = sphere_in_box();
+    EXPECT_THROW(session(scene, "texels=3").frame(), Error);
+    EXPECT_THROW(session(scene, "size=100").frame(), Error);
+}
+
+} // namespace
+} // namespace luxel

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define GRID
+#define QUAD_FACTOR quad_factor_clamp_sum
+#include "techniques/envmap/gather.glsl"
