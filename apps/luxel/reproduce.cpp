@@ -30,6 +30,7 @@ struct Known {
 };
 constexpr Known all_known[] = {{"rohleder-2010", 5, reproduce_rohleder_2010},
                                {"umenhoffer-2009", 4, reproduce_umenhoffer_2009_occlusion},
+                               {"umenhoffer-2009", 3, reproduce_umenhoffer_2009_diffuse},
                                {"umenhoffer-2009", 5, reproduce_umenhoffer_2009_reflections},
                                {"umenhoffer-2009", 6, reproduce_umenhoffer_2009_caustics}};
 

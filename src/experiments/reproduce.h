@@ -39,6 +39,9 @@ Reproduction reproduce_rohleder_2010(const ReproduceSettings& settings);
 // Ambient occlusion in screen space against ray-traced occlusion [Umenhoffer2009, ch. 4].
 Reproduction reproduce_umenhoffer_2009_occlusion(const ReproduceSettings& settings);
 
+// Diffuse environment mapping near a wall [Umenhoffer2009, ch. 3].
+Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& settings);
+
 // Rays through layered distance maps: steps of the search, and depth [Umenhoffer2009, ch. 5].
 Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& settings);
 

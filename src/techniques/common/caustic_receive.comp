@@ -28,5 +28,5 @@ void main() {
     if (abs(distance / textureLod(distance_map, x, 0.0).r - 1.0) > tolerance) return;
     vec3 irradiance = textureLod(caustic, x, 0.0).rgb;
     vec3 before = imageLoad(radiance, pixel).rgb;
-    imageStore(radiance, pixel, vec4(before + texelFetch(diffuse, pixel, 0).rgb / PI * irradiance, 0));
+    imageStore(radiance, pixel, vec4(before + texelFetch(diffuse, pixel, 0).rgb / PI * irradiance, 1));
 }

@@ -100,7 +100,7 @@ Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::ve
                       const CausticDraw& draw) {
     gpu::Image radiance = recorder.image(
         {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32G32B32A32_SFLOAT}, "caustics");
-    recorder.clear(radiance, {});
+    recorder.clear(radiance, {0, 0, 0, 1});
     const std::vector<Bounds> maps = bounds_of_maps(*frame.scene, specular, options.cube.maps);
     shared::CausticPhotonParams p{.objects = cube_objects(maps)};
     const bool refracts = any_refracts(frame.scene->scene(), specular);

@@ -77,10 +77,11 @@ TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                         .layers = {},
                         .min_max = marched,
                         .prefix = prefix};
+    // Specular surfaces send paths on; their own light is not asked for.
     if (marched)
         request.layers = options.near == NearLayers::faces
-                             ? face_layers(only(scene, specular))
-                             : peeled_layers(only(scene, specular), options.layers);
+                             ? face_layers(only(scene, specular), false)
+                             : peeled_layers(only(scene, specular), options.layers, false);
     const int near_layers = int(request.layers.size());
     request.layers.push_back({.drawn = all_but(scene, specular)});
 

@@ -42,7 +42,7 @@ DistanceCube make_images(gpu::Recorder& recorder, const CubeRequest& request) {
 // What each face of each layer sees, in the order of the images' layers.
 std::vector<Capture> capture_faces(gpu::Recorder& recorder, const Frame& frame, const CubeRequest& request,
                                    float farthest) {
-    std::vector<Capture> captures;
+    std::vector<Capture> captures, lit;
     for (const CubeLayer& layer : request.layers)
         for (int face = 0; face < faces; ++face) {
             CaptureRequest c{.view = cube_face_view(layer.center.value_or(request.center), face, request.size,
@@ -53,8 +53,9 @@ std::vector<Capture> capture_faces(gpu::Recorder& recorder, const Frame& frame, 
             LUXEL_ASSERT(!layer.behind || captures.size() >= faces, "layers={}", request.layers.size());
             if (layer.behind) c.farther_than = captures[captures.size() - faces].gbuffer.depth;
             captures.push_back(frame.capture_surfaces(recorder, c));
+            if (layer.lit) lit.push_back(captures.back());
         }
-    frame.add_light(recorder, captures);
+    if (!lit.empty()) frame.add_light(recorder, lit);
     return captures;
 }
 
@@ -143,14 +144,16 @@ DistanceCube capture_cube(gpu::Recorder& recorder, const Frame& frame, const Cub
     return cube;
 }
 
-std::vector<CubeLayer> peeled_layers(const std::vector<bool>& drawn, int count) {
-    std::vector<CubeLayer> layers(std::size_t(count), {.drawn = drawn, .sides = Sides::all, .behind = true});
+std::vector<CubeLayer> peeled_layers(const std::vector<bool>& drawn, int count, bool lit) {
+    std::vector<CubeLayer> layers(std::size_t(count),
+                                  {.drawn = drawn, .sides = Sides::all, .behind = true, .lit = lit});
     layers.at(0).behind = false;
     return layers;
 }
 
-std::vector<CubeLayer> face_layers(const std::vector<bool>& drawn) {
-    return {{.drawn = drawn, .sides = Sides::front}, {.drawn = drawn, .sides = Sides::back}};
+std::vector<CubeLayer> face_layers(const std::vector<bool>& drawn, bool lit) {
+    return {{.drawn = drawn, .sides = Sides::front, .lit = lit},
+            {.drawn = drawn, .sides = Sides::back, .lit = lit}};
 }
 
 } // namespace luxel

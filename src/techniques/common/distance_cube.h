@@ -25,6 +25,7 @@ struct CubeLayer {
     Sides sides = Sides::standard;
     bool behind = false;             // only what is farther than the layer before
     std::optional<glm::vec3> center; // instead of the request's
+    bool lit = true;                 // false: `radiance` holds what surfaces emit, and costs no shadow maps
 };
 
 struct CubeRequest {
@@ -60,9 +61,9 @@ struct DistanceCube {
 DistanceCube capture_cube(gpu::Recorder& recorder, const Frame& frame, const CubeRequest& request);
 
 // `count` layers of the same instances, by depth peeling, nearest first; backs included.
-std::vector<CubeLayer> peeled_layers(const std::vector<bool>& drawn, int count);
+std::vector<CubeLayer> peeled_layers(const std::vector<bool>& drawn, int count, bool lit = true);
 // Two layers: the nearest front sides, and the nearest back sides [Umenhoffer2009, 5.3].
-std::vector<CubeLayer> face_layers(const std::vector<bool>& drawn);
+std::vector<CubeLayer> face_layers(const std::vector<bool>& drawn, bool lit = true);
 
 // The camera of a face. Its pixel (x, y) is the texel (size - 1 - x, y): cube faces are mirrored as seen
 // from inside.

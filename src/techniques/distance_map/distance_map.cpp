@@ -14,7 +14,7 @@ Contribution DistanceMap::render(gpu::Recorder& recorder, const Frame& frame) {
     gpu::Image reflections = recorder.image(
         {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32G32B32A32_SFLOAT},
         "distance_map reflections");
-    recorder.clear(reflections, {});
+    recorder.clear(reflections, {0, 0, 0, 1});
     const std::vector<Bounds> bounds = bounds_of_maps(*frame.scene, objects_, options_.maps);
     shared::DistanceMapParams p{.view = frame.view, .objects = cube_objects(bounds)};
 

@@ -60,5 +60,5 @@ void main() {
         n = normalize(textureLod(normal_map, place, 0.0).xyz);
         ray.x = hit.p;
     }
-    imageStore(reflections, pixel, vec4(sum, 0));
+    imageStore(reflections, pixel, vec4(sum, 1));
 }
