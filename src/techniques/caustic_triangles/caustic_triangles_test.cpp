@@ -100,7 +100,9 @@ TEST_F(CausticsTest, PlaneMirrorLightsTheCeilingLikeTheLampsImage) {
         const Comparison splats =
             compare(std::string("caustic_splat:photons=64,size=128,caustic_size=256,radius=") + radius);
         EXPECT_NEAR(splats.flux, 1.0, 0.08) << radius;
-        if (std::string(radius) == "1.5") EXPECT_GT(splats.interior, 3.0 * triangles.interior);
+        if (std::string(radius) == "1.5") {
+            EXPECT_GT(splats.interior, 3.0 * triangles.interior);
+        }
     }
 }
 
