@@ -12,12 +12,10 @@ public:
         options_.visit(v);
         v.real("radius", radius_, {0.5, 128}, "of a photon, texels of the caustic cube map");
     }
-    void prepare(gpu::Gpu&, const Scene& scene) override {
-        objects_ = specular_objects(scene), lights_ = caustic_lights(scene, options_);
-    }
+    void prepare(gpu::Gpu&, const Scene& scene) override { objects_ = specular_objects(scene); }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
         auto scope = recorder.scope("caustic_splat");
-        return caustics(recorder, frame, objects_, lights_, options_,
+        return caustics(recorder, frame, objects_, options_,
                         [&](gpu::Recorder& r, const Photons& photons, const DistanceCube& receivers,
                             const std::vector<CausticFace>& faces) {
                             for (const CausticFace& face : faces)
@@ -29,7 +27,6 @@ private:
     CausticOptions options_;
     float radius_ = 3.0f;
     std::vector<SceneObject> objects_;
-    std::vector<shared::Light> lights_;
 };
 
 } // namespace

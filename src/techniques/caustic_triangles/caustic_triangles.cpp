@@ -23,12 +23,10 @@ public:
                "share of its distance that the middle of a triangle may be off the surface");
         v.real("least", least_, {0, 100}, "texels below which a triangle is not drawn");
     }
-    void prepare(gpu::Gpu&, const Scene& scene) override {
-        objects_ = specular_objects(scene), lights_ = caustic_lights(scene, options_);
-    }
+    void prepare(gpu::Gpu&, const Scene& scene) override { objects_ = specular_objects(scene); }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
         auto scope = recorder.scope("caustic_triangles");
-        return caustics(recorder, frame, objects_, lights_, options_,
+        return caustics(recorder, frame, objects_, options_,
                         [&](gpu::Recorder& r, const Photons& photons, const DistanceCube& receivers,
                             const std::vector<CausticFace>& faces) { draw(r, photons, receivers, faces); });
     }
@@ -69,7 +67,6 @@ private:
     float tear_ = 0.3f;
     float least_ = 0.1f;
     std::vector<SceneObject> objects_;
-    std::vector<shared::Light> lights_;
 };
 
 } // namespace

@@ -19,6 +19,8 @@ void CausticOptions::visit(Visitor& v) {
     v.integer("emitter_lights", emitter_lights, {0, 256}, "samples of emissive surfaces that send photons");
 }
 
+namespace {
+
 std::vector<shared::Light> caustic_lights(const Scene& scene, const CausticOptions& options) {
     std::vector<shared::Light> lights = scene.lights;
     auto add = [&](const std::vector<shared::Light>& more) {
@@ -29,8 +31,6 @@ std::vector<shared::Light> caustic_lights(const Scene& scene, const CausticOptio
         add(environment_sample_lights(scene.environment, options.environment_lights, 1));
     return lights;
 }
-
-namespace {
 
 // Directional light comes from so many radii away: its rays diverge by a thousandth in the view, in which
 // they are found; they are traced parallel.
@@ -70,16 +70,9 @@ Photons trace_photons(gpu::Recorder& recorder, const Capture& seen, const Traced
         return recorder.image({.width = side, .height = side, .format = VK_FORMAT_R32G32B32A32_SFLOAT}, name);
     };
     Photons photons{image("caustic hits"), image("caustic powers"), int(side)};
-    const GBuffer& g = seen.gbuffer;
-    gpu::Bindings bindings = traced.bindings();
-    bindings.insert(bindings.end(), {{"depth", g.depth},
-                                     {"normal", g.normal},
-                                     {"geometric_normal", g.geometric_normal},
-                                     {"diffuse", g.diffuse},
-                                     {"specular", g.specular},
-                                     {"direct", seen.direct},
-                                     {"hits", photons.hits},
-                                     {"powers", photons.powers}});
+    gpu::Bindings bindings = traced.bindings(), first = first_surfaces(seen);
+    bindings.insert(bindings.end(), first.begin(), first.end());
+    bindings.insert(bindings.end(), {{"hits", photons.hits}, {"powers", photons.powers}});
     recorder.dispatch("common/caustic_photons.comp", extent_of(photons.hits), p, bindings);
     return photons;
 }
@@ -96,13 +89,13 @@ bool any_refracts(const Scene& scene, const std::vector<SceneObject>& objects) {
 } // namespace
 
 Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
-                      const std::vector<shared::Light>& lights, const CausticOptions& options,
-                      const CausticDraw& draw) {
+                      const CausticOptions& options, const CausticDraw& draw) {
     gpu::Image radiance = recorder.image(
         {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32G32B32A32_SFLOAT}, "caustics");
     recorder.clear(radiance, {0, 0, 0, 1});
     const std::vector<Bounds> maps = bounds_of_maps(*frame.scene, specular, options.cube.maps);
     shared::CausticPhotonParams p{.objects = cube_objects(maps)};
+    const std::vector<shared::Light> lights = caustic_lights(frame.scene->scene(), options);
     const bool refracts = any_refracts(frame.scene->scene(), specular);
     const std::uint32_t size = std::uint32_t(options.size);
     for (std::size_t i = 0; i < maps.size(); ++i) {

@@ -35,12 +35,9 @@ struct CausticFace {
 using CausticDraw = std::function<void(gpu::Recorder&, const Photons&, const DistanceCube& receivers,
                                        const std::vector<CausticFace>& faces)>;
 
-// The lights that send photons: the scene's own, samples of its emitters and of its environment.
-std::vector<shared::Light> caustic_lights(const Scene& scene, const CausticOptions& options);
-
+// Of the scene's own lights, samples of its emitters and of its environment, as they stand in this frame.
 Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
-                      const std::vector<shared::Light>& lights, const CausticOptions& options,
-                      const CausticDraw& draw);
+                      const CausticOptions& options, const CausticDraw& draw);
 
 // As cones of that radius in texels; pixels whose power has a = 1 are left out.
 void splat_photons(gpu::Recorder& recorder, const Photons& photons, const gpu::Image& powers,

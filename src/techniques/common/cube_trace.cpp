@@ -50,6 +50,12 @@ shared::CubeObjects cube_objects(const std::vector<Bounds>& maps) {
     return o;
 }
 
+gpu::Bindings first_surfaces(const Capture& seen) {
+    const GBuffer& g = seen.gbuffer;
+    return {{"depth", g.depth},     {"normal", g.normal},     {"geometric_normal", g.geometric_normal},
+            {"diffuse", g.diffuse}, {"specular", g.specular}, {"direct", seen.direct}};
+}
+
 gpu::Bindings TracedCube::bindings() const {
     using gpu::Sampler;
     return {{"radiance_map", cube.radiance, Sampler::linear_clamp},
@@ -58,14 +64,6 @@ gpu::Bindings TracedCube::bindings() const {
             {"distance_map", cube.distance, Sampler::linear_clamp},
             {"ranges", ranges}};
 }
-
-namespace {
-
-float farthest_corner(const Bounds& b, glm::vec3 from) {
-    return b.empty() ? 1.0f : glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from)));
-}
-
-} // namespace
 
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,

@@ -45,6 +45,9 @@ struct TracedCube {
     gpu::Bindings bindings() const;
 };
 
+// What a capture shows, where paths start.
+gpu::Bindings first_surfaces(const Capture& seen);
+
 // Around `center` (world): near layers of `specular`, a far one of the rest of the scene.
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,

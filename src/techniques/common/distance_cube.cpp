@@ -99,11 +99,6 @@ void write_min_max(gpu::Recorder& recorder, const DistanceCube& cube) {
     }
 }
 
-float farthest_corner(const Bounds& b, glm::vec3 from) {
-    if (b.empty()) return 1.0f;
-    return std::max(glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from))), 1e-3f);
-}
-
 gpu::Image layers_of(gpu::Image image, int first) {
     if (!image) return image;
     image.first_layer = std::uint32_t(first * faces), image.layer_count = faces;
@@ -119,6 +114,11 @@ DistanceCube DistanceCube::layer(int index) const {
     for (gpu::Image* image : {&one.radiance, &one.normal, &one.material, &one.distance, &one.min_max})
         *image = layers_of(*image, index);
     return one;
+}
+
+float farthest_corner(const Bounds& b, glm::vec3 from) {
+    if (b.empty()) return 1.0f;
+    return std::max(glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from))), 1e-3f);
 }
 
 shared::ViewParams cube_face_view(glm::vec3 center, int face, int size, float near, float far) {

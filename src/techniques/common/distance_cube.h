@@ -65,6 +65,9 @@ std::vector<CubeLayer> peeled_layers(const std::vector<bool>& drawn, int count, 
 // Two layers: the nearest front sides, and the nearest back sides [Umenhoffer2009, 5.3].
 std::vector<CubeLayer> face_layers(const std::vector<bool>& drawn, bool lit = true);
 
+// Meters from a point to the farthest corner of a box, at least .001; 1 where it is empty.
+float farthest_corner(const Bounds& box, glm::vec3 from);
+
 // The camera of a face. Its pixel (x, y) is the texel (size - 1 - x, y): cube faces are mirrored as seen
 // from inside.
 shared::ViewParams cube_face_view(glm::vec3 center, int face, int size, float near, float far);

@@ -18,7 +18,7 @@ Contribution DistanceMap::render(gpu::Recorder& recorder, const Frame& frame) {
     const std::vector<Bounds> bounds = bounds_of_maps(*frame.scene, objects_, options_.maps);
     shared::DistanceMapParams p{.view = frame.view, .objects = cube_objects(bounds)};
 
-    const GBuffer& g = frame.gbuffer;
+    const gpu::Bindings first = first_surfaces(frame);
     const std::string program =
         "distance_map/trace_" + cube_search_names[std::size_t(options_.search)] + ".comp";
     for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -26,13 +26,8 @@ Contribution DistanceMap::render(gpu::Recorder& recorder, const Frame& frame) {
                                                       "distance_map " + std::to_string(i) + " ");
         p.cube = traced.params, p.objects.own = int(i);
         gpu::Bindings bindings = traced.bindings();
-        bindings.insert(bindings.end(), {{"depth", g.depth},
-                                         {"normal", g.normal},
-                                         {"geometric_normal", g.geometric_normal},
-                                         {"diffuse", g.diffuse},
-                                         {"specular", g.specular},
-                                         {"direct", frame.direct},
-                                         {"reflections", reflections}});
+        bindings.insert(bindings.end(), first.begin(), first.end());
+        bindings.push_back({"reflections", reflections});
         recorder.dispatch(program, extent_of(reflections), p, bindings);
     }
     return {.radiance = reflections};
