@@ -60,8 +60,6 @@ void add_radiosity_times(Reproduction& out, const std::vector<ViewResult>& views
     add("share of the frame", "19 % (138 to 112 FPS)", "%", 0, shares);
 }
 
-constexpr const char* better = "lower error";
-
 // Rows of one number of samples.
 constexpr const char* occlusion_names[] = {"volumetric", "containment", "ssao"};
 constexpr std::size_t occlusion_count = std::size(occlusion_names);
@@ -77,20 +75,6 @@ std::vector<std::string> occlusion_uses(float radius, const char* containment_me
         uses.push_back("ssao" + common);
     }
     return uses;
-}
-
-double mean_delta(const std::vector<ViewResult>& views, std::size_t row) {
-    double mean = 0;
-    for (const ViewResult& view : views) mean += view.rows[row].figures.delta / double(views.size());
-    return mean;
-}
-
-void add_order_of(Reproduction& out, const std::string& subject, double first, double second) {
-    out.statements.push_back({subject,
-                              better,
-                              fmt::format("{:.4f} against {:.4f}", first, second),
-                              {first, second},
-                              first < second});
 }
 
 // The order of mean errors, one statement for each neighbor pair of the rows from `row` on.

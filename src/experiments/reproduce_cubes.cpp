@@ -22,10 +22,11 @@ struct Times {
     }
 };
 
-// The median over views of one row's own time over another's. `grows`: the sign that is claimed.
+// The median over views of one row's own time over another's. Every claim is that it
+// takes longer.
 void add_ratio(Reproduction& out, const ReproduceSettings& settings, const std::vector<ViewResult>& views,
-               const Times& times, const std::string& subject, const std::string& claim,
-               std::optional<bool> grows, std::size_t row, std::size_t base) {
+               const Times& times, const std::string& subject, const std::string& claim, std::size_t row,
+               std::size_t base) {
     const auto ratios = over_all(views, [&](const ViewResult& v) -> std::optional<double> {
         const auto ms = times.of(v.rows[row].passes), of = times.of(v.rows[base].passes);
         return ms && of ? std::optional(*ms / *of) : std::nullopt;
@@ -35,27 +36,30 @@ void add_ratio(Reproduction& out, const ReproduceSettings& settings, const std::
         const double ratio = median(*ratios);
         statement.values = {ratio};
         statement.measured = fmt::format("{:.2f}", ratio);
-        if (grows && settings.timed_frames >= fewest_timed_frames) statement.holds = (ratio > 1) == *grows;
+        if (settings.timed_frames >= fewest_timed_frames) statement.holds = ratio > 1;
     }
     out.statements.push_back(statement);
 }
 
-double mean_delta(const std::vector<ViewResult>& views, std::size_t row) {
-    double mean = 0;
-    for (const ViewResult& view : views) mean += view.rows[row].figures.delta / double(views.size());
-    return mean;
+// Rows over the views that the settings ask for, or else over the cameras of one's own scenes.
+std::vector<ViewResult> measure(Reproduction& out, const ReproduceSettings& given,
+                                const std::vector<std::string>& scenes,
+                                const std::vector<std::string>& components,
+                                const std::vector<std::string>& uses) {
+    ReproduceSettings settings = given;
+    if (settings.scenes.empty()) settings.scenes = scenes, settings.views_per_scene = 0;
+    TruthSettings truth = settings.truth;
+    truth.components = components;
+    gpu::Gpu gpu({.device = settings.run.device});
+    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
+    out.source = setting(views, settings.scenes, settings);
+    return views;
 }
 
 } // namespace
 
-Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& given) {
+Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& settings) {
     Reproduction out;
-    ReproduceSettings settings = given;
-    if (settings.scenes.empty())
-        settings.scenes = {"builtin:ball-room-face-0.02"}, settings.views_per_scene = 0;
-    TruthSettings truth = settings.truth;
-    truth.components = {"direct", "diffuse1_unoccluded"};
-
     // Tables 3.1 and 3.2: frames a second.
     struct Entry {
         const char* estimator;
@@ -67,9 +71,8 @@ Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& given) {
     std::vector<std::string> uses;
     for (const Entry& e : entries)
         uses.push_back(fmt::format("envmap:estimator={},texels={}", e.estimator, e.texels));
-    gpu::Gpu gpu({.device = settings.run.device});
-    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
-    out.source = setting(views, settings.scenes, settings);
+    const auto views =
+        measure(out, settings, {"builtin:ball-room-face-0.02"}, {"direct", "diffuse1_unoccluded"}, uses);
     for (const std::size_t first : {0, 3})
         for (const std::size_t i : {first + 1, first + 2})
             add_ratio(out, settings, views, {"envmap: envmap/gather", ""},
@@ -78,15 +81,12 @@ Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& given) {
                       fmt::format("{:.1f} (GTX 260), {:.1f} (7900 GT)",
                                   entries[first].gtx260 / entries[i].gtx260,
                                   entries[first].gt7900 / entries[i].gt7900),
-                      true, i + 1, first + 1);
+                      i + 1, first + 1);
     for (const std::size_t first : {0, 3}) {
         const double polygon = mean_delta(views, first + 3), point = mean_delta(views, first + 2);
-        out.statements.push_back(
-            {fmt::format("{0}x{0} texels, near a wall: polygon against point", entries[first].texels),
-             "lower error",
-             fmt::format("{:.4f} against {:.4f}", polygon, point),
-             {polygon, point},
-             polygon < point});
+        add_order_of(out,
+                     fmt::format("{0}x{0} texels, near a wall: polygon against point", entries[first].texels),
+                     polygon, point);
     }
     out.remarks = {
         "the thesis's frames a second are of whole frames; here times are of the passes that shade the "
@@ -96,14 +96,8 @@ Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& given) {
     return out;
 }
 
-Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& given) {
+Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& settings) {
     Reproduction out;
-    ReproduceSettings settings = given;
-    if (settings.scenes.empty())
-        settings.scenes = {"builtin:teapot-box", "builtin:glass-metal"}, settings.views_per_scene = 0;
-    TruthSettings truth = settings.truth;
-    truth.components = {"direct", "reflections"};
-
     // Fig. 5.5, with the thesis's layers, then depths.
     std::vector<std::string> uses;
     struct Steps {
@@ -117,22 +111,17 @@ Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& give
     constexpr int depths[] = {1, 2, 3, 4, 8};
     for (const int depth : depths) uses.push_back(fmt::format("distance_map:near=faces,depth={}", depth));
 
-    gpu::Gpu gpu({.device = settings.run.device});
-    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
-    out.source = setting(views, settings.scenes, settings);
+    const auto views = measure(out, settings, {"builtin:teapot-box", "builtin:glass-metal"},
+                               {"direct", "reflections"}, uses);
     const auto name = [&](std::size_t i) { return fmt::format("{}/{}", steps[i].linear, steps[i].secant); };
     for (const auto& [better, worse] : {std::pair<std::size_t, std::size_t>{1, 0}, {2, 0}, {3, 1}, {3, 2}}) {
-        const double a = mean_delta(views, better + 1), b = mean_delta(views, worse + 1);
-        out.statements.push_back({fmt::format("linear/secant steps {} against {}", name(better), name(worse)),
-                                  "lower error",
-                                  fmt::format("{:.4f} against {:.4f}", a, b),
-                                  {a, b},
-                                  a < b});
+        add_order_of(out, fmt::format("linear/secant steps {} against {}", name(better), name(worse)),
+                     mean_delta(views, better + 1), mean_delta(views, worse + 1));
     }
     for (std::size_t i = 1; i < std::size(depths); ++i)
         add_ratio(out, settings, views, {"distance_map: ", ""},
-                  fmt::format("time at depth {} over depth 1", depths[i]), "little above 1", true,
-                  first_depth + i, first_depth);
+                  fmt::format("time at depth {} over depth 1", depths[i]), "little above 1", first_depth + i,
+                  first_depth);
     out.remarks = {
         "figures are mean errors of display values against direct light and reflections up to depth 8",
         "layers are front sides, back sides and all else, as the thesis ran; cubes of 256 where it had 512",
@@ -140,14 +129,8 @@ Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& give
     return out;
 }
 
-Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& given) {
+Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& settings) {
     Reproduction out;
-    ReproduceSettings settings = given;
-    if (settings.scenes.empty())
-        settings.scenes = {"builtin:metal-ring", "builtin:glass-sphere"}, settings.views_per_scene = 0;
-    TruthSettings truth = settings.truth;
-    truth.components = {"direct"};
-
     // Table 6.1: along one row, then along one column.
     struct Entry {
         int photons, cube;
@@ -158,13 +141,12 @@ Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& given) 
     std::vector<std::string> uses;
     for (const Entry& e : entries)
         uses.push_back(fmt::format("caustic_triangles:photons={},caustic_size={}", e.photons, e.cube));
-    gpu::Gpu gpu({.device = settings.run.device});
-    const auto views = reproduce_views(settings, gpu, uses, settings.scenes, truth, out);
-    out.source = setting(views, settings.scenes, settings);
+    const auto views =
+        measure(out, settings, {"builtin:metal-ring", "builtin:glass-sphere"}, {"direct"}, uses);
     const auto add = [&](std::size_t row, std::size_t base, const std::string& subject) {
         add_ratio(out, settings, views, {"caustic_triangles: ", "caustic_triangles: cube: "}, subject,
                   fmt::format("{:.2f}", entries[base].frames_per_second / entries[row].frames_per_second),
-                  true, row + 1, base + 1);
+                  row + 1, base + 1);
     };
     for (std::size_t i = 1; i < 4; ++i)
         add(i, 0, fmt::format("time of {0}x{0} photons over 32x32, cube of 256", entries[i].photons));

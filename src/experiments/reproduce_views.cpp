@@ -39,6 +39,20 @@ std::vector<ViewResult> reproduce_views(const ReproduceSettings& settings, gpu::
     return views;
 }
 
+double mean_delta(const std::vector<ViewResult>& views, std::size_t row) {
+    double mean = 0;
+    for (const ViewResult& view : views) mean += view.rows[row].figures.delta / double(views.size());
+    return mean;
+}
+
+void add_order_of(Reproduction& out, const std::string& subject, double first, double second) {
+    out.statements.push_back({subject,
+                              "lower error",
+                              fmt::format("{:.4f} against {:.4f}", first, second),
+                              {first, second},
+                              first < second});
+}
+
 std::string setting(const std::vector<ViewResult>& views, const std::vector<std::string>& scenes,
                     const ReproduceSettings& settings) {
     return fmt::format("{} views of {} at {}x{}, {} samples a pixel for the truth", views.size(),

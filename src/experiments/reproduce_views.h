@@ -26,6 +26,10 @@ std::optional<std::vector<double>> over_all(const std::vector<ViewResult>& views
     return values;
 }
 
+double mean_delta(const std::vector<ViewResult>& views, std::size_t row);
+// The claim that the first has the lower error.
+void add_order_of(Reproduction& out, const std::string& subject, double first, double second);
+
 // What was run, in words.
 std::string setting(const std::vector<ViewResult>& views, const std::vector<std::string>& scenes,
                     const ReproduceSettings& settings);
