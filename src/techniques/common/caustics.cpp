@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "scene/lights.h"
 #include "shared/sampling.h"
 #include "techniques/frame/projection.h"
 
@@ -14,23 +13,10 @@ void CausticOptions::visit(Visitor& v) {
     v.integer("photons", photons, {8, 2048}, "pixels a side of the photon image of each light and object");
     v.integer("caustic_size", size, {16, 2048}, "texels a side of the caustic cube map");
     v.flag("mirrored", mirrored, "also photons that glass reflects at its first surface");
-    v.integer("environment_lights", environment_lights, {0, 256},
-              "directional samples of the environment that send photons");
-    v.integer("emitter_lights", emitter_lights, {0, 256}, "samples of emissive surfaces that send photons");
+    lights.visit(v);
 }
 
 namespace {
-
-std::vector<shared::Light> caustic_lights(const Scene& scene, const CausticOptions& options) {
-    std::vector<shared::Light> lights = scene.lights;
-    auto add = [&](const std::vector<shared::Light>& more) {
-        lights.insert(lights.end(), more.begin(), more.end());
-    };
-    if (options.emitter_lights > 0) add(emitter_sample_lights(scene, options.emitter_lights, 1));
-    if (options.environment_lights > 0 && !scene.environment.empty())
-        add(environment_sample_lights(scene.environment, options.environment_lights, 1));
-    return lights;
-}
 
 // Directional light comes from so many radii away: its rays diverge by a thousandth in the view, in which
 // they are found; they are traced parallel.
@@ -95,7 +81,7 @@ Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::ve
     recorder.clear(radiance, {0, 0, 0, 1});
     const std::vector<Bounds> maps = bounds_of_maps(*frame.scene, specular, options.cube.maps);
     shared::CausticPhotonParams p{.objects = cube_objects(maps)};
-    const std::vector<shared::Light> lights = caustic_lights(frame.scene->scene(), options);
+    const std::vector<shared::Light> lights = lights_with_samples(frame.scene->scene(), options.lights);
     const bool refracts = any_refracts(frame.scene->scene(), specular);
     const std::uint32_t size = std::uint32_t(options.size);
     for (std::size_t i = 0; i < maps.size(); ++i) {

@@ -6,6 +6,7 @@
 
 #include "techniques/common/caustics_params.h"
 #include "techniques/common/cube_trace.h"
+#include "techniques/common/light_samples.h"
 #include "techniques/technique.h"
 
 namespace luxel {
@@ -15,7 +16,7 @@ struct CausticOptions {
     int photons = 128; // a side of the photon image of each light and object
     int size = 256;    // texels a side of the caustic cube map
     bool mirrored = true;
-    int environment_lights = 8, emitter_lights = 8;
+    LightSamples lights;
     void visit(Visitor& v);
 };
 

@@ -72,7 +72,7 @@ void main() {
     vec3 position = world_position(p.view, vec2(pixel) + 0.5, z);
     vec3 n = normalize(texelFetch(normal, pixel, 0).xyz);
     vec3 ng = normalize(texelFetch(geometric_normal, pixel, 0).xyz);
-    vec3 wo = normalize(p.view.position - position);
+    vec3 wo = p.view.parallel > 0.5 ? -p.view.forward : normalize(p.view.position - position);
     vec4 d = texelFetch(diffuse, pixel, 0), s = texelFetch(specular, pixel, 0);
     Brdf brdf = Brdf(d.rgb, s.rgb, vec3(s.a), max(d.a * d.a, MIN_ALPHA));
     bool mirror = d.a <= 0.0; // no light sample meets an ideal lobe

@@ -73,13 +73,14 @@ vec3 shading_normal(vec3 geometric) {
 
 void main() {
     // The plane of the triangle, turned toward the camera; a mirroring transform exchanges front and back.
+    vec3 along = view.parallel > 0.5 ? view.forward : from_eye; // the view ray
     vec3 geometric = cross(dFdx(from_eye), dFdy(from_eye));
-    geometric = normalize(dot(geometric, from_eye) > 0.0 ? -geometric : geometric);
+    geometric = normalize(dot(geometric, along) > 0.0 ? -geometric : geometric);
     bool front = gl_FrontFacing == (handedness > 0.0);
     float side = front ? 1.0 : -1.0;
     float z = depth;
 #ifdef DISPLACED
-    Displaced relief = displace(from_eye, from_eye, geometric, uv, d.search, front);
+    Displaced relief = displace(from_eye, along, geometric, uv, d.search, front);
     float behind = relief.t * d.search.moves_depth;
     z += dot(relief.along, view.forward) * behind;
 #endif
@@ -113,7 +114,7 @@ void main() {
     Brdf brdf = scale_brdf(whole, 1.0 - transmission);
 
     // Normals, on the camera's side. A normal map says the relief's shading normals, too.
-    vec3 shading = shading_normal(geometric * side) * side, to_eye = -normalize(from_eye);
+    vec3 shading = shading_normal(geometric * side) * side, to_eye = -normalize(along);
 #ifdef DISPLACED
     if (m.normal_texture.present == 0u)
         shading = relief_normal(shading, relief.gradient, relief.axes, m.height_scale);
@@ -132,7 +133,8 @@ void main() {
                         signed_ior(metallic, roughness, transmission, m.ior, m.thin != 0u));
 
 #ifdef DISPLACED
-    gl_FragDepth = behind > 0.0 ? min(view.near / z, gl_FragCoord.z) : gl_FragCoord.z;
+    float reversed = view.parallel > 0.5 ? 1.0 - z / view.far : view.near / z;
+    gl_FragDepth = behind > 0.0 ? min(reversed, gl_FragCoord.z) : gl_FragCoord.z;
 #endif
 
     // Last, so that the derivatives above are those of whole quads.

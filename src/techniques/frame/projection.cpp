@@ -38,6 +38,13 @@ shared::ViewParams view_params(const Axes& axes, float near, float far, glm::vec
     return v;
 }
 
+shared::ViewParams parallel_view_params(const Axes& axes, float far, glm::vec2 size) {
+    shared::ViewParams v = view_params(axes, 0.0f, far, size);
+    v.world_to_clip = orthographic_to_clip(axes, 0.0f, far);
+    v.parallel = 1.0f;
+    return v;
+}
+
 shared::ViewParams view_params(const Camera& camera, int width, int height) {
     CameraBasis b = camera_basis(camera, width, height);
     return view_params({b.position, b.forward, b.right, b.up}, camera.near, camera.far,

@@ -30,17 +30,22 @@ float outer_tangent(const shared::Light& light) {
     return std::sqrt(std::max(1.0f - c * c, 1e-8f)) / c;
 }
 
+// Columns; z = the light's direction.
+glm::mat3 light_axes(const shared::Light& light) {
+    if (light.type == shared::LIGHT_POINT) return glm::mat3(1.0f);
+    return shared::frame_around(glm::normalize(light.direction));
+}
+
 float farthest_corner(const Bounds& b, glm::vec3 from) {
     return std::max(glm::length(glm::max(glm::abs(b.least - from), glm::abs(b.most - from))), 1e-3f);
 }
 
-shared::ShadowView perspective_view(glm::vec3 position, glm::vec3 forward, glm::vec3 right, glm::vec3 up,
-                                    float tangent, float far, int size) {
-    tangent *= guarded(size);
+shared::ShadowView perspective_view(glm::vec3 position, const LightCone& cone, float far, int size) {
+    const float tangent = cone.tangent * guarded(size);
     shared::ShadowView v{};
-    v.world_to_map =
-        perspective_to_clip({position, forward, right * tangent, up * tangent}, far * near_by_far);
-    v.right = right, v.up = up;
+    v.world_to_map = perspective_to_clip({position, cone.forward, cone.right * tangent, cone.up * tangent},
+                                         far * near_by_far);
+    v.right = cone.right, v.up = cone.up;
     v.half_texel = glm::vec2(tangent / float(size));
     v.near_by_far = near_by_far;
     return v;
@@ -119,14 +124,24 @@ int shadow_map_count(const shared::Light& light) {
     return 1;
 }
 
+std::vector<LightCone> light_cones(const shared::Light& light) {
+    if (light.type == shared::LIGHT_DIRECTIONAL) return {};
+    const glm::mat3 axes = light_axes(light);
+    const glm::vec3 &x = axes[0], &y = axes[1], &z = axes[2];
+    if (shadow_map_count(light) == 1) return {{z, x, y, outer_tangent(light)}};
+    std::vector<LightCone> faces = {{z, x, y, 1}, {x, y, z, 1},  {-x, y, z, 1},
+                                    {y, z, x, 1}, {-y, z, x, 1}, {-z, x, y, 1}};
+    faces.resize(std::size_t(shadow_map_count(light)));
+    return faces;
+}
+
 FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
                             const std::vector<glm::vec3>& receivers, int size) {
     LUXEL_ASSERT(size > 2 * guard, "size={}", size);
     FittedLight fitted;
     shared::ShadowedLight& l = fitted.light;
     l.light = light;
-    l.axes = light.type == shared::LIGHT_POINT ? glm::mat3(1.0f)
-                                               : shared::frame_around(glm::normalize(light.direction));
+    l.axes = light_axes(light);
     l.first_map = 0;
     l.maps = shared::uint(shadow_map_count(light));
     if (light.type == shared::LIGHT_DIRECTIONAL) {
@@ -136,17 +151,8 @@ FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
 
     float far = farthest_corner(scene, light.position);
     if (light.range > 0.0f) far = std::min(far, light.range);
-    if (l.maps == 1) {
-        fitted.views = {perspective_view(light.position, l.axes[2], l.axes[0], l.axes[1],
-                                         outer_tangent(light), far, size)};
-        return fitted;
-    }
-    // The order of shared::cube_face.
-    const glm::vec3 &x = l.axes[0], &y = l.axes[1], &z = l.axes[2];
-    const glm::vec3 faces[6][3] = {{z, x, y}, {x, y, z}, {-x, y, z}, {y, z, x}, {-y, z, x}, {-z, x, y}};
-    for (shared::uint i = 0; i < l.maps; ++i)
-        fitted.views.push_back(
-            perspective_view(light.position, faces[i][0], faces[i][1], faces[i][2], 1.0f, far, size));
+    for (const LightCone& cone : light_cones(light))
+        fitted.views.push_back(perspective_view(light.position, cone, far, size));
     return fitted;
 }
 

@@ -24,6 +24,14 @@ FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
 // Number of maps that fit_shadow_maps gives the light.
 int shadow_map_count(const shared::Light& light);
 
+// The square perspective views that together see what a light can reach, in the order of shared::cube_face
+// (shadow_params.h); none for a directional light.
+struct LightCone {
+    glm::vec3 forward, right, up; // unit; may be left-handed
+    float tangent;                // of half the view's angle
+};
+std::vector<LightCone> light_cones(const shared::Light& light);
+
 // Arrays of maps of one size, re-used by every batch of lights.
 class ShadowMaps {
 public:

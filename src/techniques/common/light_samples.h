@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The lights that a technique starts from: the scene's own and samples of what else shines.
+#pragma once
+#include <vector>
+
+#include "core/parameters.h"
+#include "scene/scene.h"
+
+namespace luxel {
+
+struct LightSamples {
+    int emitters = 8, environment = 8;
+    void visit(Visitor& v); // emitter_lights, environment_lights
+};
+
+// As they stand in this frame: emitters move with their instances.
+std::vector<shared::Light> lights_with_samples(const Scene& scene, const LightSamples& samples);
+
+} // namespace luxel
