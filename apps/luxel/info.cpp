@@ -5,6 +5,7 @@
 #include "options.h"
 #include "scene/lights.h"
 #include "scene/load.h"
+#include "scene/roles.h"
 
 namespace luxel::app {
 
@@ -22,6 +23,19 @@ const char* light_type(const shared::Light& light) {
         return "directional";
     default:
         return "cosine";
+    }
+}
+
+const char* impostor_kind(ImpostorKind kind) {
+    switch (kind) {
+    case ImpostorKind::billboard:
+        return "billboard";
+    case ImpostorKind::nailboard:
+        return "nailboard";
+    case ImpostorKind::billboard_cloud:
+        return "billboard_cloud";
+    default:
+        return "none";
     }
 }
 
@@ -44,6 +58,7 @@ Json describe(const Scene& scene, const std::string& source) {
                  {"bounds", {{"least", vector_json(bounds.least)}, {"most", vector_json(bounds.most)}}},
                  {"lights", Json::array()},
                  {"cameras", Json::array()},
+                 {"impostors", Json::array()},
                  {"warnings", scene.warnings}};
     for (const shared::Light& light : scene.lights)
         json["lights"].push_back({{"type", light_type(light)},
@@ -55,6 +70,14 @@ Json describe(const Scene& scene, const std::string& source) {
                                    {"position", vector_json(camera.position)},
                                    {"forward", vector_json(camera.forward)},
                                    {"yfov", camera.yfov}});
+    for (const ImpostorObject& object : impostor_objects(scene)) {
+        const Impostor& i = object.impostor;
+        Json entry = {{"name", object.name}, {"kind", impostor_kind(i.kind)}, {"size", i.size}};
+        const bool cloud = i.kind == ImpostorKind::billboard_cloud;
+        entry[cloud ? "distance" : "error"] = cloud ? i.distance : i.error;
+        entry["instances"] = object.instances.size();
+        json["impostors"].push_back(std::move(entry));
+    }
     return json;
 }
 
@@ -73,6 +96,12 @@ void print(const Scene& scene, const Json& json) {
     for (const Camera& camera : scene.cameras)
         fmt::print("{:<20}'{}' at {} toward {}, {:.1f} degrees high\n", "camera", camera.name,
                    text_of(camera.position), text_of(camera.forward), glm::degrees(camera.yfov));
+    for (const ImpostorObject& object : impostor_objects(scene)) {
+        const Impostor& i = object.impostor;
+        const bool cloud = i.kind == ImpostorKind::billboard_cloud;
+        fmt::print("{:<20}{} for '{}', {} texels, error {} {}\n", "impostor", impostor_kind(i.kind),
+                   object.name, i.size, cloud ? i.distance : i.error, cloud ? "m" : "pixels");
+    }
 }
 
 void run(const std::string& source, const Global& global) {

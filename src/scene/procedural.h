@@ -20,6 +20,8 @@ Scene shapes(ShapesLight light);
 Scene sphere_in_box();
 // Cobbled floor and brick wall by height maps, under a low sun.
 Scene relief();
+// A tree, its leaves in blocks that are objects of their own, and a stone under the sun.
+Scene tree();
 // Ball with the role "dynamic ball" in the closed box [-1, 1]^3 of six colors, `distance` times its diameter
 // away from the face +x, from the edge to -y or from the corner to +z. Either black walls emit their color,
 // or eight lamps light them. Cameras: in the room, and from behind the wall +x onto the side that faces it.

@@ -28,6 +28,7 @@ std::vector<Entry> base_entries() {
         {"shapes-directional", "the same shapes under a directional light",
          [] { return shapes(ShapesLight::directional); }},
         {"relief", "cobbled floor and brick wall by height maps, low sun", [] { return relief(); }},
+        {"tree", "tree with 2400 leaves in six blocks, and a stone, under the sun", [] { return tree(); }},
         {"sphere-in-box", "sphere in a room of colored walls, point light", [] { return sphere_in_box(); }},
         {"glass-sphere", "glass sphere in a room, spot light", [] { return glass_sphere(); }},
         {"metal-ring", "mirroring ring on a floor, point light", [] { return metal_ring(); }},

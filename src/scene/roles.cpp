@@ -47,6 +47,25 @@ std::vector<SceneObject> specular_objects(const Scene& scene) {
     return objects_by_role(scene, "specular", true);
 }
 
+std::vector<ImpostorObject> impostor_objects(const Scene& scene) {
+    std::vector<ImpostorObject> objects;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
+        if (instance.impostor.kind == ImpostorKind::none) continue;
+        auto same = objects.end();
+        if (!instance.role.empty())
+            same = std::find_if(objects.begin(), objects.end(), [&](const ImpostorObject& o) {
+                return o.impostor == instance.impostor &&
+                       scene.instances[std::size_t(o.instances[0])].role == instance.role;
+            });
+        if (same == objects.end())
+            same = objects.insert(
+                same, {instance.role.empty() ? instance.name : instance.role, instance.impostor, {}});
+        same->instances.push_back(int(i));
+    }
+    return objects;
+}
+
 std::vector<bool> only(const Scene& scene, const std::vector<SceneObject>& objects) {
     return flags(scene, objects, true);
 }

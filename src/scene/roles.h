@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Objects: what of a scene belongs together, by the role that its scene file gives.
+// Objects: what of a scene belongs together, by the roles and impostors that its scene file gives.
 #pragma once
 #include <string>
 #include <vector>
@@ -21,6 +21,14 @@ std::vector<SceneObject> dynamic_objects(const Scene& scene);
 std::vector<SceneObject> specular_objects(const Scene& scene);
 // By the material's factors, textures aside (shared::signed_ior).
 bool is_specular(const Material& material);
+
+// Instances that share an impostor: those of one role with equal settings; without a role each has its own.
+struct ImpostorObject {
+    std::string name; // the role, or the instance's name
+    Impostor impostor;
+    std::vector<int> instances; // ascending
+};
+std::vector<ImpostorObject> impostor_objects(const Scene& scene);
 
 // What CaptureRequest::drawn takes: one entry per instance of the scene.
 std::vector<bool> only(const Scene& scene, const std::vector<SceneObject>& objects);

@@ -55,5 +55,22 @@ TEST(Roles, MaterialsMakeSpecularObjects) {
     EXPECT_EQ(objects[2].instances, Instances{6});
 }
 
+// One tree of two parts, two stones that each have their own, a part with other settings.
+TEST(Roles, ImpostorsAreSharedWithinARole) {
+    Scene scene = scene_with_roles({"tree", "", "tree", "", "tree", ""});
+    const Impostor nailboard{.kind = ImpostorKind::nailboard, .size = 64};
+    for (std::size_t i : {0, 2, 3, 5}) scene.instances[i].impostor = nailboard;
+    scene.instances[4].impostor = {.kind = ImpostorKind::billboard, .size = 64};
+    std::vector<ImpostorObject> objects = impostor_objects(scene);
+    ASSERT_EQ(objects.size(), 4u);
+    EXPECT_EQ(objects[0].instances, (Instances{0, 2}));
+    EXPECT_EQ(objects[0].name, "tree");
+    EXPECT_EQ(objects[0].impostor, nailboard);
+    EXPECT_EQ(objects[1].instances, Instances{3});
+    EXPECT_EQ(objects[1].name, "thing");
+    EXPECT_EQ(objects[2].instances, Instances{4});
+    EXPECT_EQ(objects[3].instances, Instances{5});
+}
+
 } // namespace
 } // namespace luxel

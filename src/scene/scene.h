@@ -70,12 +70,23 @@ struct Mesh {
     int material = 0;                    // index into Scene::materials
 };
 
+// What the camera sees in place of an object's mesh. Everything else, the reference too, keeps the mesh.
+enum class ImpostorKind { none, billboard, nailboard, billboard_cloud };
+struct Impostor {
+    ImpostorKind kind = ImpostorKind::none;
+    int size = 256;        // texels along the longest side of the object
+    float error = 1.0f;    // billboard, nailboard: pixels that a point may be displaced before it is redrawn
+    float distance = 0.0f; // billboard cloud: meters between a vertex and the plane that shows it
+    bool operator==(const Impostor&) const = default;
+};
+
 // Front faces are those wound counter-clockwise in object space, also under a mirroring transform.
 struct Instance {
     std::string name;
     int mesh = 0;
     glm::mat4 transform{1.0f}; // object to world
     std::string role;          // free text from the scene file, "" by default
+    Impostor impostor{};
 };
 
 struct Camera {

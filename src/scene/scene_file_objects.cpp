@@ -116,6 +116,40 @@ void change_chosen(Scene& scene, const ObjectRule& rule, const std::vector<bool>
                                             printable(rule.pattern), names, more ? ", ..." : ""));
 }
 
+// The keys "impostor", "impostor_size", "impostor_error" and "impostor_distance".
+std::optional<Impostor> read_impostor(Section& section) {
+    constexpr const char* size_key = "impostor_size";
+    constexpr const char* error_key = "impostor_error";
+    constexpr const char* distance_key = "impostor_distance";
+    const auto kind = section.text("impostor");
+    const auto size = section.integer(size_key, 8, 4096);
+    const auto error = section.number(error_key, 0.01, 1e4);
+    const auto distance = section.number(distance_key, 1e-6, 1e6);
+    Impostor impostor;
+    if (kind == "billboard")
+        impostor.kind = ImpostorKind::billboard;
+    else if (kind == "nailboard")
+        impostor.kind = ImpostorKind::nailboard;
+    else if (kind == "billboard_cloud")
+        impostor.kind = ImpostorKind::billboard_cloud;
+    else if (kind && kind != "none")
+        section.reject(
+            "impostor",
+            fmt::format("\"{}\" is none of billboard, nailboard, billboard_cloud, none", printable(*kind)));
+
+    // Each kind has its own measure of error.
+    const bool any = impostor.kind != ImpostorKind::none;
+    const bool cloud = impostor.kind == ImpostorKind::billboard_cloud;
+    if (size && !any) section.reject(size_key, "give it with an \"impostor\"");
+    if (error && (cloud || !any)) section.reject(error_key, "give it with a billboard or a nailboard");
+    if (distance && !cloud) section.reject(distance_key, "give it with a billboard_cloud");
+    if (cloud && !distance) section.reject("impostor", "a billboard_cloud needs \"impostor_distance\"");
+    impostor.size = size.value_or(impostor.size);
+    impostor.error = error.value_or(impostor.error);
+    impostor.distance = distance.value_or(impostor.distance);
+    return kind ? std::optional(impostor) : std::nullopt;
+}
+
 } // namespace
 
 bool matches_glob(std::string_view pattern, std::string_view name) {
@@ -137,7 +171,7 @@ bool matches_glob(std::string_view pattern, std::string_view name) {
 }
 
 ObjectRule read_object_rule(Section& section) {
-    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     rule.role = section.text("role");
     rule.base_color = section.triple("base_color", 0, 1, true);
     rule.metallic = section.number("metallic", 0, 1);
@@ -147,11 +181,13 @@ ObjectRule read_object_rule(Section& section) {
     rule.ior = section.number("ior", 1, 10);
     rule.height_map = section.text("height_map");
     rule.height_scale = section.number("height_scale", 1e-6, 1e3);
+    rule.impostor = read_impostor(section);
     section.finish();
     if (rule.height_map.has_value() != rule.height_scale.has_value())
         section.reject(rule.height_map ? "height_map" : "height_scale",
                        "give \"height_map\" and \"height_scale\" together");
-    if (!rule.role && !rule.changes_material()) section.reject("name", "the object changes nothing");
+    if (!rule.role && !rule.impostor && !rule.changes_material())
+        section.reject("name", "the object changes nothing");
     return rule;
 }
 
@@ -165,6 +201,7 @@ void apply_object_rules(Scene& scene, const std::vector<ObjectRule>& rules, cons
             chosen[i] = matches_glob(rule.pattern, scene.instances[i].name);
             any = any || chosen[i];
             if (chosen[i] && rule.role) scene.instances[i].role = *rule.role;
+            if (chosen[i] && rule.impostor) scene.instances[i].impostor = *rule.impostor;
         }
         if (!any) reject_pattern(scene, rule);
         if (rule.changes_material()) change_chosen(scene, rule, chosen, height_maps, copied_vertices);

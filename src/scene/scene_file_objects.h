@@ -18,6 +18,7 @@ struct ObjectRule {
     std::optional<glm::vec3> base_color, emission;
     std::optional<float> metallic, roughness, transmission, ior, height_scale;
     std::optional<std::string> height_map;
+    std::optional<Impostor> impostor;
     bool changes_material() const {
         return base_color || emission || metallic || roughness || transmission || ior || height_map;
     }

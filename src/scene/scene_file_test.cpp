@@ -203,6 +203,27 @@ TEST_F(SceneFile, HeightMapsAreReadBeneathTheFolder) {
               std::string::npos);
 }
 
+TEST_F(SceneFile, ImpostorsHaveAMeasureOfErrorEach) {
+    const std::string rule = cornell_line + "[[object]]\nname = \"*box\"\nimpostor = ";
+    const Scene scene = load(rule + "\"nailboard\"\nimpostor_size = 64\nimpostor_error = 2\n"
+                                    "[[object]]\nname = \"tall box\"\nimpostor = \"billboard_cloud\"\n"
+                                    "impostor_distance = 0.05\n");
+    for (const Instance& i : scene.instances) {
+        Impostor expected;
+        if (i.name == "short box") expected = {.kind = ImpostorKind::nailboard, .size = 64, .error = 2.0f};
+        if (i.name == "tall box") expected = {.kind = ImpostorKind::billboard_cloud, .distance = 0.05f};
+        EXPECT_EQ(i.impostor, expected) << i.name;
+    }
+    const Scene none = load(rule + "\"billboard\"\n[[object]]\nname = \"*\"\nimpostor = \"none\"\n");
+    for (const Instance& i : none.instances) EXPECT_EQ(i.impostor.kind, ImpostorKind::none);
+
+    expect_error(rule + "\"sprite\"\n", "line 4", "none of billboard, nailboard");
+    expect_error(rule + "\"billboard_cloud\"\n", "line 4", "needs \"impostor_distance\"");
+    expect_error(rule + "\"billboard\"\nimpostor_distance = 1\n", "line 5", "billboard_cloud");
+    expect_error(rule + "\"none\"\nimpostor_error = 1\n", "line 5", "billboard or a nailboard");
+    expect_error(rule + "\"billboard\"\nimpostor_size = 4\n", "line 5", "impostor_size");
+}
+
 TEST_F(SceneFile, SkyGradient) {
     const Scene scene =
         load(cornell_line +
