@@ -13,6 +13,7 @@ struct Global {
     int threads = 0;         // of the CPU; 0 = all
     std::string environment; // see LoadOptions
     float environment_scale = 1.0f;
+    std::string data; // folder of what files call "data:PATH"
 };
 
 void add_evaluate(CLI::App& app, const Global& global);

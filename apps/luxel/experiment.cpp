@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // luxel experiment: many scenes, views and techniques from a file; goes on where a killed run stopped.
 #include <cstdio>
-#include <cstdlib>
 
 #include "core/error.h"
 #include "experiments/experiment_file.h"
@@ -17,21 +16,16 @@ namespace luxel::app {
 namespace {
 
 struct Options {
-    std::string file, output, data, device;
+    std::string file, output, device;
     CacheChoice cache;
     double minutes = 0;
     bool only_truth = false, verbose = false;
 };
 
-std::string data_folder(const Options& o) {
-    const char* variable = std::getenv("LUXEL_DATA");
-    return o.data.empty() && variable ? variable : o.data;
-}
-
 Experiment load(const Options& o, const Global& global) {
     if (!global.environment.empty())
         fail(Fault::usage, "--environment: here it belongs into the file, to each scene");
-    Experiment experiment = load_experiment_file(o.file, data_folder(o));
+    Experiment experiment = load_experiment_file(o.file, global.data);
     for (SceneEntry& scene : experiment.scenes) scene.load.strict = global.strict;
     return experiment;
 }
@@ -80,8 +74,6 @@ void add_experiment(CLI::App& app, const Global& global) {
     command->add_option("file", o->file, "Experiment file, .toml; see docs/experiments.md")->required();
     command->add_option("-o,--output", o->output,
                         "Folder for report.html, results.json, results.csv and what is finished");
-    command->add_option("--data", o->data,
-                        "Folder of the files that the experiment calls data:...; default: $LUXEL_DATA");
     command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");
     add_cache_options(*command, o->cache);
     command->add_flag("--only-truth", o->only_truth,

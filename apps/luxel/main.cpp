@@ -69,6 +69,10 @@ int run(int argc, char** argv) {
     app.add_option("--environment-scale", global.environment_scale, "Factor on --environment")
         ->check(CLI::Range(0.0, 1e6));
 
+    app.add_option("--data", global.data,
+                   "Folder of what scene files and experiments call data:...; default: $LUXEL_DATA")
+        ->envname("LUXEL_DATA");
+
     // The limit lives as long as the work does.
     std::optional<tbb::global_control> limit;
     app.add_option("--threads", global.threads, "CPU threads; 0 = all")->check(CLI::Range(0, 1024));

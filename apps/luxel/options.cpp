@@ -68,7 +68,8 @@ void print_warnings(const std::vector<std::string>& warnings) {
 LoadOptions load_options(const Global& global) {
     return {.strict = global.strict,
             .environment = global.environment,
-            .environment_scale = global.environment_scale};
+            .environment_scale = global.environment_scale,
+            .data = global.data};
 }
 
 Scene load(const std::string& source, const Global& global) {

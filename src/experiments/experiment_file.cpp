@@ -51,11 +51,9 @@ std::string existing_file(const Section& section, std::string_view key, const st
 
 std::string scene_file(const Section& section, const std::string& source, const Roots& roots) {
     if (!source.starts_with("builtin:")) return existing_file(section, "source", source, roots);
+    if (is_builtin_scene(source.substr(8))) return source;
     std::string known;
-    for (const BuiltinScene& scene : builtin_scenes()) {
-        if (source == "builtin:" + scene.name) return source;
-        known += (known.empty() ? "" : ", ") + scene.name;
-    }
+    for (const BuiltinScene& scene : builtin_scenes()) known += (known.empty() ? "" : ", ") + scene.name;
     section.reject("source", fmt::format("no scene \"{}\"; known are {}", printable(source), known));
 }
 
@@ -109,6 +107,7 @@ SceneEntry read_scene(Section& section, const Roots& roots, const Experiment& ex
     if (const auto environment = section.text("environment"))
         entry.load.environment =
             *environment == "sky" ? *environment : existing_file(section, "environment", *environment, roots);
+    entry.load.data = roots.data.string();
     entry.load.environment_scale = section.number("environment_scale", 0, 1e6).value_or(1.0f);
     entry.frame = frame;
     set_frame(section, entry.frame);

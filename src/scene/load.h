@@ -15,6 +15,8 @@ struct LoadOptions {
     // .hdr, .exr, .png or .jpg file.
     std::string environment;
     float environment_scale = 1.0f; // factor on that environment
+    // The folder of what scene files name as "data:PATH"; empty = none.
+    std::string data;
 };
 
 // Validated: every index in range, every number finite, at least one triangle, at least one camera and at
@@ -29,5 +31,7 @@ struct BuiltinScene {
     std::string name, meaning;
 };
 std::vector<BuiltinScene> builtin_scenes();
+// With times and numbers of triangles, too, which the list has examples of only.
+bool is_builtin_scene(const std::string& name);
 
 } // namespace luxel

@@ -45,6 +45,19 @@ Scene mirror_box();
 // A mirroring pot with handle and spout, which sees itself, in the same box.
 Scene teapot_box();
 
+// After [Le2014, chapter 4], each in a room under one spot light, with the triangles of the thesis.
+// 202: gold ring on the floor.
+Scene ring();
+// 214: the ring on a platform, four walls before it; light that falls through the platform is a tracer's
+// leak.
+Scene occluded_ring();
+// 208 622: three diffuse solids of 69 452 triangles with head and ears, and a ring.
+Scene bunnies_ring();
+// 1932: shallow water on the floor of the room, `seconds` after the start.
+Scene water_room(float seconds);
+// A basin of 2 m x 2 m with water, on y = 0: to be placed in other scenes.
+Scene pool(float seconds);
+
 // Building blocks; all append to `mesh`.
 void add_quad(Mesh& mesh, glm::vec3 corner, glm::vec3 edge_u, glm::vec3 edge_v); // front normal: cross(u, v)
 void add_box(Mesh& mesh, glm::vec3 least, glm::vec3 most);                       // normals outward

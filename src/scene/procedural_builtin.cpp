@@ -2,7 +2,9 @@
 // The names after "builtin:" and the scenes they stand for.
 #include "scene/procedural_builtin.h"
 
+#include <charconv>
 #include <functional>
+#include <optional>
 
 #include "core/error.h"
 #include "scene/load.h"
@@ -14,7 +16,13 @@ namespace {
 struct Entry {
     std::string name, meaning;
     std::function<Scene()> make;
+    std::function<Scene(float)> at_seconds = {}; // of what moves
 };
+
+Entry moving(const char* name, const char* meaning, Scene (*make)(float)) {
+    return {name, fmt::format("{}; {}-1.5: 1.5 seconds later, and so on", meaning, name),
+            [make] { return make(0.0f); }, make};
+}
 
 std::vector<Entry> base_entries() {
     std::vector<Entry> entries = {
@@ -36,18 +44,19 @@ std::vector<Entry> base_entries() {
          [] { return glass_metal(); }},
         {"mirror-box", "mirror sphere in a closed box of painted walls", [] { return mirror_box(); }},
         {"teapot-box", "mirroring pot that sees itself, in the same box", [] { return teapot_box(); }},
-        {"water", "wavy water in a room, spot light, cameras below and above its surface",
-         [] { return water(0.0f); }},
+        {"ring", "gold ring in a room, spot light, 202 triangles", [] { return ring(); }},
+        {"occluded-ring", "ring on a platform behind four walls, spot light, 214 triangles",
+         [] { return occluded_ring(); }},
+        {"bunnies-ring", "three solids with ears and a ring, spot light, 208 622 triangles",
+         [] { return bunnies_ring(); }},
+        moving("water", "wavy water in a room, spot light, cameras below and above its surface", water),
+        moving("water-room", "shallow water in a room, spot light, 1932 triangles", water_room),
+        moving("pool", "basin of water to place in other scenes", pool),
     };
     for (const char* albedo : {"0.0", "0.2", "0.5", "0.8", "0.9"}) {
         const float value = std::stof(albedo);
         entries.push_back({fmt::format("furnace-{}", albedo), fmt::format("furnace of albedo {}", albedo),
                            [value] { return furnace(value); }});
-    }
-    for (const char* seconds : {"0.25", "0.5"}) {
-        const float value = std::stof(seconds);
-        entries.push_back({fmt::format("water-{}", seconds), fmt::format("water {} seconds later", seconds),
-                           [value] { return water(value); }});
     }
     const std::pair<const char*, BallPlace> places[] = {
         {"face", BallPlace::face}, {"edge", BallPlace::edge}, {"corner", BallPlace::corner}};
@@ -71,28 +80,56 @@ struct Suffix {
 };
 const std::vector<Suffix> subdivisions = {{"-x4", 1}, {"-x16", 2}, {"-x64", 3}};
 
+// The seconds in "NAME-SECONDS", below a day.
+std::optional<float> seconds_after(const std::string& name, const std::string& text) {
+    if (!text.starts_with(name + "-")) return std::nullopt;
+    const char *first = text.data() + name.size() + 1, *last = text.data() + text.size();
+    float value = 0.0f;
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (error != std::errc{} || end != last || !(value >= 0.0f && value <= 86400.0f)) return std::nullopt;
+    return value;
+}
+
+// A scene's name taken apart: what to make, and how often to subdivide it.
+struct Request {
+    std::function<Scene()> make; // empty: unknown
+    int levels = 0;
+};
+
+Request parse(const std::string& name, const std::vector<Entry>& entries) {
+    // A suffix asks for the same surface in more triangles.
+    Request request;
+    std::string base = name;
+    for (const Suffix& suffix : subdivisions)
+        if (name.ends_with(suffix.text))
+            base = name.substr(0, name.size() - suffix.text.size()), request.levels = suffix.levels;
+
+    for (const Entry& entry : entries) {
+        const auto seconds = entry.at_seconds ? seconds_after(entry.name, base) : std::nullopt;
+        if (entry.name == base) request.make = entry.make;
+        if (seconds) request.make = [make = entry.at_seconds, s = *seconds] { return make(s); };
+    }
+    return request;
+}
+
 } // namespace
 
 Scene builtin_scene(const std::string& name) {
-    // A suffix asks for the same surface in more triangles.
-    std::string base = name;
-    int levels = 0;
-    for (const Suffix& suffix : subdivisions)
-        if (name.ends_with(suffix.text))
-            base = name.substr(0, name.size() - suffix.text.size()), levels = suffix.levels;
-
-    std::string known;
-    for (const Entry& entry : base_entries()) {
-        if (entry.name == base) {
-            Scene scene = levels > 0 ? subdivide(entry.make(), levels) : entry.make();
-            scene.name = name;
-            return scene;
-        }
-        known += (known.empty() ? "" : ", ") + entry.name;
+    const std::vector<Entry> entries = base_entries();
+    const Request request = parse(name, entries);
+    if (request.make) {
+        Scene scene = request.make();
+        if (request.levels > 0) scene = subdivide(scene, request.levels);
+        scene.name = name;
+        return scene;
     }
+    std::string known;
+    for (const Entry& entry : entries) known += (known.empty() ? "" : ", ") + entry.name;
     fail(Fault::bad_input,
          "builtin:{}: no such scene; known are {}, each also with -x4, -x16 or -x64 appended", name, known);
 }
+
+bool is_builtin_scene(const std::string& name) { return bool(parse(name, base_entries()).make); }
 
 std::vector<BuiltinScene> builtin_scenes() {
     std::vector<BuiltinScene> scenes;

@@ -76,6 +76,26 @@ void add_gray_room(Scene& scene) {
                   lambertian("right wall", {0.14f, 0.45f, 0.091f}));
 }
 
+void add_ring(Mesh& mesh, glm::vec3 base, float inner, float outer, float height, int slices) {
+    add_revolved(mesh, base, {{outer, 0, 1, 0}, {outer, height, 1, 0}}, slices);
+    add_revolved(mesh, base, {{outer, height, 0, 1}, {inner, height, 0, 1}}, slices);
+    add_revolved(mesh, base, {{inner, height, -1, 0}, {inner, 0, -1, 0}}, slices);
+    add_revolved(mesh, base, {{inner, 0, 0, -1}, {outer, 0, 0, -1}}, slices);
+}
+
+glm::vec3 wave_height(const Waves& waves, float x, float z, float seconds) {
+    constexpr float gravity = 9.81f, directions[] = {0.4f, 2.1f, -1.0f, 1.2f};
+    glm::vec3 result(waves.level, 0, 0);
+    for (int i = 0; i < 4; ++i) {
+        const float k = 2.0f * shared::PI / waves.lengths[i], amplitude = waves.curvature / (k * k);
+        const float kx = k * std::cos(directions[i]), kz = k * std::sin(directions[i]);
+        const float phase = kx * x + kz * z - std::sqrt(gravity * k) * seconds + float(i);
+        const float slope = -amplitude * std::sin(phase);
+        result += glm::vec3(amplitude * std::cos(phase), kx * slope, kz * slope);
+    }
+    return result;
+}
+
 Camera camera_at(glm::vec3 position, glm::vec3 target, float yfov_degrees) {
     Camera camera;
     camera.name = "camera";

@@ -27,6 +27,16 @@ void add_open_room(Scene& scene, const Material& floor, const Material& ceiling,
 // The same in light gray, the left wall red and the right one green.
 void add_gray_room(Scene& scene);
 
+// A band that stands on y = base.y: two cylinders, joined by flat rims; 8 triangles a slice.
+void add_ring(Mesh& mesh, glm::vec3 base, float inner, float outer, float height, int slices);
+
+// Deep-water waves of four lengths; each bends the surface as much as the others.
+struct Waves {
+    float level, curvature; // m, 1/m
+    float lengths[4];       // m
+};
+glm::vec3 wave_height(const Waves& waves, float x, float z, float seconds); // and its slopes along x and z
+
 Camera camera_at(glm::vec3 position, glm::vec3 target, float yfov_degrees);
 shared::Light point_light(glm::vec3 position, float intensity);
 shared::Light spot_light(glm::vec3 position, glm::vec3 target, float intensity, float inner_degrees,

@@ -14,14 +14,6 @@ using namespace procedural;
 
 constexpr int slices = 128, stacks = 64; // of smooth objects
 
-// A band that stands on y = base.y: two cylinders, joined by flat rims.
-void add_ring(Mesh& mesh, glm::vec3 base, float inner, float outer, float height) {
-    add_revolved(mesh, base, {{outer, 0, 1, 0}, {outer, height, 1, 0}}, slices);
-    add_revolved(mesh, base, {{outer, height, 0, 1}, {inner, height, 0, 1}}, slices);
-    add_revolved(mesh, base, {{inner, height, -1, 0}, {inner, 0, -1, 0}}, slices);
-    add_revolved(mesh, base, {{inner, 0, 0, -1}, {outer, 0, 0, -1}}, slices);
-}
-
 // An empty tumbler: a closed solid with a thick bottom, its wall leaning outward, its lip a half circle.
 void add_tumbler(Mesh& mesh, glm::vec3 base, float foot, float mouth, float height, float wall) {
     const float bottom = 3.0f * wall, lean = mouth - foot;
@@ -41,21 +33,8 @@ void add_tumbler(Mesh& mesh, glm::vec3 base, float foot, float mouth, float heig
     add_revolved(mesh, base, {{inner(bottom), bottom, 0, 1}, {0, bottom, 0, 1}}, slices);
 }
 
-// Deep-water waves of four lengths. Each bends the surface as much as the others, and all of them together
-// so that light from above meets about a pool's depth below it.
-glm::vec3 wave_height(float x, float z, float seconds) {
-    constexpr float level = 1.2f, curvature = 1.6f, gravity = 9.81f;
-    constexpr float lengths[] = {0.9f, 0.6f, 0.43f, 0.31f}, directions[] = {0.4f, 2.1f, -1.0f, 1.2f};
-    glm::vec3 result(level, 0, 0);
-    for (int i = 0; i < 4; ++i) {
-        const float k = 2.0f * shared::PI / lengths[i], amplitude = curvature / (k * k);
-        const float kx = k * std::cos(directions[i]), kz = k * std::sin(directions[i]);
-        const float phase = kx * x + kz * z - std::sqrt(gravity * k) * seconds + float(i);
-        const float slope = -amplitude * std::sin(phase);
-        result += glm::vec3(amplitude * std::cos(phase), kx * slope, kz * slope);
-    }
-    return result;
-}
+// Light from above meets about a pool's depth below the surface.
+constexpr Waves pool_waves = {.level = 1.2f, .curvature = 1.6f, .lengths = {0.9f, 0.6f, 0.43f, 0.31f}};
 
 // Checks of two tones, each of its own shade, on a gradient: no two places of a wall look alike.
 Texture painted(const std::string& name, int wall, glm::vec3 tone) {
@@ -123,7 +102,7 @@ Scene metal_ring() {
     scene.name = "metal-ring";
     add_quad_object(scene, lambertian("floor", glm::vec3(0.7f)), {-2, 0, -2}, {0, 0, 4}, {4, 0, 0});
     add_ring(add_specular_object(scene, mirror("ring", {0.95f, 0.8f, 0.5f})), glm::vec3(0.0f), 0.5f, 0.53f,
-             0.3f);
+             0.3f, slices);
     scene.lights = {point_light({1.2f, 0.95f, 1.5f}, 10.0f)};
     scene.cameras = {camera_at({0.0f, 2.5f, 1.1f}, {0.0f, 0.0f, -0.05f}, 34.0f)};
     return scene;
@@ -134,7 +113,7 @@ Scene water(float seconds) {
     scene.name = "water";
     add_gray_room(scene);
     add_height_field(add_specular_object(scene, glass("water", 1.33f)), 1.0f, 256,
-                     [seconds](float x, float z) { return wave_height(x, z, seconds); });
+                     [seconds](float x, float z) { return wave_height(pool_waves, x, z, seconds); });
     scene.lights = {spot_light({0.2f, 1.98f, 0.1f}, {0.0f, 0.0f, 0.0f}, 10.0f, 50.0f, 70.0f)};
     scene.cameras = {camera_at({0.0f, 0.75f, 3.2f}, {0.0f, 0.45f, 0.0f}, 34.0f),
                      camera_at({0.0f, 1.85f, 2.4f}, {0.0f, 0.9f, 0.0f}, 44.0f)};
@@ -147,7 +126,7 @@ Scene glass_metal() {
     scene.name = "glass-metal";
     add_gray_room(scene);
     add_ring(add_specular_object(scene, mirror("ring", {0.95f, 0.8f, 0.5f})), {-0.42f, 0.0f, 0.4f}, 0.27f,
-             0.29f, 0.18f);
+             0.29f, 0.18f, slices);
     add_sphere(add_specular_object(scene, glass("glass sphere", 1.5f)), {0.45f, 0.26f, 0.45f}, 0.25f, slices,
                stacks);
     add_sphere(add_specular_object(scene, mirror("mirror ball", glm::vec3(0.9f))), {0.5f, 0.32f, -0.45f},

@@ -151,7 +151,8 @@ TEST(Procedural, SubdivisionInterpolatesTextureCoordinates) {
 
 // Light is refracted rightly only by solids whose fronts all face outward.
 TEST(Procedural, SpecularObjectsAreClosedSolids) {
-    for (const Scene& scene : {glass_sphere(), metal_ring(), glass_metal(), mirror_box(), teapot_box()}) {
+    for (const Scene& scene : {glass_sphere(), metal_ring(), glass_metal(), mirror_box(), teapot_box(),
+                               ring(), occluded_ring(), bunnies_ring()}) {
         int count = 0;
         for (const Instance& instance : scene.instances) {
             if (instance.role != "specular " + instance.name) continue;
@@ -194,6 +195,63 @@ TEST(Procedural, WaterHasTheNormalsOfItsWaves) {
     EXPECT_LT(m.area, 4.5);
     ASSERT_EQ(at_rest.positions.size(), later.positions.size());
     EXPECT_NE(at_rest.positions, later.positions);
+}
+
+// [Le2014, chapter 4]; the solids stand for bunnies of one triangle less.
+TEST(Procedural, PhotonScenesHaveTheTrianglesOfTheThesis) {
+    EXPECT_EQ(ring().triangles(), 202u);
+    EXPECT_EQ(occluded_ring().triangles(), 214u);
+    EXPECT_EQ(bunnies_ring().triangles(), 208619u + 3u);
+    EXPECT_EQ(water_room(0.0f).triangles(), 1932u);
+    for (const Scene& scene : {ring(), occluded_ring(), bunnies_ring(), water_room(0.0f)}) {
+        ASSERT_EQ(scene.lights.size(), 1u);
+        EXPECT_EQ(scene.lights[0].type, shared::LIGHT_SPOT) << scene.name;
+    }
+}
+
+// Timings compare the same silhouettes in 64 times the triangles.
+TEST(Procedural, FineRingHasTheSurfaceOfTheRing) {
+    const Scene coarse = ring(), fine = builtin_scene("ring-x64");
+    EXPECT_EQ(fine.triangles(), 64u * coarse.triangles());
+    for (std::size_t i = 0; i < coarse.meshes.size(); ++i) {
+        const Measures a = measure(coarse.meshes[i]), b = measure(fine.meshes[i]);
+        EXPECT_NEAR(a.area, b.area, 1e-4 * a.area);
+        EXPECT_NEAR(a.volume, b.volume, 1e-4 * (1.0 + std::abs(a.volume)));
+    }
+}
+
+TEST(Procedural, BunniesAreClosedSolidsThatStandOnTheFloor) {
+    int bunnies = 0;
+    const Scene scene = bunnies_ring();
+    for (const Instance& instance : scene.instances) {
+        if (instance.name != "bunny") continue;
+        ++bunnies;
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        EXPECT_EQ(mesh.indices.size(), 3u * 69452u);
+        EXPECT_EQ(open_edges(mesh), 0);
+        EXPECT_GT(measure(mesh).volume, 4.0 / 3.0 * pi * 0.19 * 0.19 * 0.19) << "more than the body alone";
+        EXPECT_GT(measure(mesh).worst_agreement, 0.9f);
+        for (const glm::vec3& p : mesh.positions) EXPECT_GT(p.y, -0.06f);
+    }
+    EXPECT_EQ(bunnies, 3);
+}
+
+TEST(Procedural, MovingScenesTakeAnyTime) {
+    const auto surface = [](const std::string& name) {
+        const Scene scene = builtin_scene(name);
+        for (const Instance& instance : scene.instances)
+            if (instance.role == "specular water") return scene.meshes[std::size_t(instance.mesh)].positions;
+        return std::vector<glm::vec3>();
+    };
+    for (const std::string base : {"water", "water-room", "pool"}) {
+        EXPECT_EQ(surface(base), surface(base + "-0"));
+        EXPECT_NE(surface(base), surface(base + "-0.3"));
+        EXPECT_NE(surface(base + "-0.3"), surface(base + "-12.75"));
+        EXPECT_TRUE(is_builtin_scene(base + "-12.75-x4"));
+        for (const char* wrong : {"-", "--1", "-nan", "-1s", "-1e9"})
+            EXPECT_FALSE(is_builtin_scene(base + wrong)) << wrong;
+    }
+    EXPECT_FALSE(is_builtin_scene("cornell-1"));
 }
 
 TEST(Procedural, EveryListedNameLoads) {

@@ -23,16 +23,23 @@ constexpr std::size_t max_geometry_files = 64;
 constexpr double bright = 1e12; // W/sr, W/m2 or W/(m2 sr)
 float radians(float degrees) { return degrees * (shared::PI / 180.0f); }
 
-// The path of geometry named in a scene file: beneath its folder, through no symbolic link.
-std::filesystem::path beneath(const std::filesystem::path& root, const std::string& relative,
-                              const Section& section) {
+// The path of geometry named in a scene file: beneath its folder, or beneath that of data which the user
+// named, through no symbolic link.
+std::filesystem::path beneath(const std::filesystem::path& root, const std::string& data,
+                              const std::string& named, const Section& section) {
+    constexpr std::string_view prefix = "data:";
+    const bool in_data = named.starts_with(prefix);
+    if (in_data && data.empty())
+        section.reject("file", fmt::format("\"{}\" needs --data DIR, or LUXEL_DATA in the environment",
+                                           printable(named)));
+    const std::string relative = in_data ? named.substr(prefix.size()) : named;
+    const char* folder = in_data ? "data folder" : "scene file's folder";
     if (relative.empty() || relative.front() == '/' || relative.find('\0') != std::string::npos)
-        section.reject("file",
-                       fmt::format("\"{}\" is no path within the scene file's folder", printable(relative)));
-    std::filesystem::path path = root;
+        section.reject("file", fmt::format("\"{}\" is no path within the {}", printable(named), folder));
+    std::filesystem::path path = in_data ? std::filesystem::path(data) : root;
     for (const std::filesystem::path& component : std::filesystem::path(relative)) {
         if (component == "..")
-            section.reject("file", fmt::format("\"{}\" leaves the scene file's folder", printable(relative)));
+            section.reject("file", fmt::format("\"{}\" leaves the {}", printable(named), folder));
         path /= component;
         std::error_code absent;
         if (std::filesystem::is_symlink(path, absent))
@@ -101,7 +108,7 @@ void read_geometry(Section& top, const std::filesystem::path& root, const LoadOp
                    Scene& scene) {
     const auto load = [&](const Section& section, const std::string& file) {
         if (file.starts_with("builtin:")) return load_geometry(file, options);
-        return load_geometry(beneath(root, file, section).string(), options);
+        return load_geometry(beneath(root, options.data, file, section).string(), options);
     };
 
     // The short form names one file.

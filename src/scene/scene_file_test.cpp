@@ -2,8 +2,10 @@
 // Scene files: the documented example, every kind of slip, and that nothing outside the folder is opened.
 #include "scene/scene_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,7 @@
 #include "core/file.h"
 #include "core/image_io.h"
 #include "scene/lights.h"
+#include "support/data.h"
 
 namespace luxel {
 namespace {
@@ -274,6 +277,40 @@ TEST_F(SceneFile, NothingOutsideTheFolderIsOpened) {
               std::string::npos);
     expect_error(cornell_line + "[environment]\nfile = \"absent.hdr\"\n", "line 3", "does not exist");
     EXPECT_NE(error_of("geometry = \"scene.toml\"\n").find("unknown kind"), std::string::npos);
+}
+
+TEST_F(SceneFile, DataIsReadBeneathTheFolderThatTheUserNames) {
+    const LoadOptions options = {.data = (folder_ / "models").string()};
+    write("scene.toml", "geometry = \"data:lamp.obj\"\n");
+    const std::string file = (folder_ / "scene.toml").string();
+    EXPECT_EQ(load_scene(file, options).triangles(), 1u);
+    expect_error("geometry = \"data:lamp.obj\"\n", "line 1", "needs --data DIR");
+    write("scene.toml", "geometry = \"data:../models/lamp.obj\"\n");
+    EXPECT_THROW(load_scene(file, options), Error);
+    write("scene.toml", "geometry = \"data:/etc/passwd.obj\"\n");
+    EXPECT_THROW(load_scene(file, options), Error);
+}
+
+// The scene files of the repository, where their data are.
+TEST(Scenes, LoadWithTheirData) {
+    const std::map<std::string, std::size_t> triangles = {{"ring", 202},
+                                                          {"water_room", 1932},
+                                                          {"bunnies_ring", 202 + 3 * 69451},
+                                                          {"water_caustic", 103487},
+                                                          {"teapot_glass", 126744},
+                                                          {"sponza_pools", 262267 + 3 * (4 * 12 + 2 + 8192)}};
+    LUXEL_DATA_OR_SKIP(probe, "sponza_crytek/sponza_crytek.gltf");
+    const LoadOptions options = {.data = probe.parent_path().parent_path().string()};
+    for (const auto& [name, count] : triangles) {
+        const Scene scene = load_scene(std::string(LUXEL_SOURCE_DIR) + "/scenes/" + name + ".toml", options);
+        EXPECT_EQ(scene.triangles(), count) << name;
+        ASSERT_EQ(scene.lights.size(), 1u) << name;
+        EXPECT_EQ(scene.lights[0].type, shared::LIGHT_SPOT) << name;
+        EXPECT_TRUE(emissive_triangles(scene).empty()) << name;
+        EXPECT_TRUE(std::any_of(scene.instances.begin(), scene.instances.end(), [](const Instance& instance) {
+            return instance.role.starts_with("specular");
+        })) << name;
+    }
 }
 
 TEST_F(SceneFile, HostileTextIsRefused) {
