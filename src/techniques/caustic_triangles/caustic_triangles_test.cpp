@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A lamp over a plane mirror: what the mirror sends to the ceiling comes from the lamp's image, in closed
 // form.
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "scene/procedural.h"
@@ -19,44 +21,64 @@ constexpr int side = 128;
 constexpr float half_mirror = 0.3f, ceiling = 1.5f, albedo = 0.5f, intensity = 3.0f;
 const vec3 lamp(-0.1f, 1.0f, 0.05f);
 
-// The mirror lies on y = 0, facing up; the camera looks straight up at the ceiling.
-Scene mirror_under_ceiling() {
+// The mirror lies on y = 0, facing up; the camera looks straight up at the ceiling, which begins at that z.
+Scene mirror_under_ceiling(float z = -2.0f) {
     Scene scene;
     scene.name = "mirror under ceiling";
     Mesh& mirror = procedural::add_specular_object(scene, procedural::mirror("mirror", vec3(0.9f)));
     add_quad(mirror, {-half_mirror, 0, half_mirror}, {2 * half_mirror, 0, 0}, {0, 0, -2 * half_mirror});
-    procedural::add_quad_object(scene, procedural::lambertian("ceiling", vec3(albedo)), {-2, ceiling, -2},
-                                {4, 0, 0}, {0, 0, 4});
+    procedural::add_quad_object(scene, procedural::lambertian("ceiling", vec3(albedo)), {-2, ceiling, z},
+                                {4, 0, 0}, {0, 0, 2.0f - z});
     scene.lights = {procedural::point_light(lamp, intensity)};
     scene.cameras.push_back({.position = {0, 0.9f, 0}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .yfov = 2.0f});
     return scene;
 }
 
-// Irradiance of the ceiling at x by way of the mirror.
-float exact(vec3 x) {
-    const vec3 image(lamp.x, -lamp.y, lamp.z), d = x - image;
-    const vec3 on_mirror = image + d * (lamp.y / d.y);
+float mirrored(vec3 on_mirror, float cosine) {
     if (std::max(std::abs(on_mirror.x), std::abs(on_mirror.z)) > half_mirror) return 0.0f;
+    return shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
+}
+
+// Irradiance of the ceiling at x by way of the mirror.
+float exact(vec3 x, vec3 from = lamp) {
+    const vec3 image(from.x, -from.y, from.z), d = x - image;
     const float cosine = d.y / glm::length(d);
-    return intensity * cosine / glm::dot(d, d) * shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
+    return intensity * cosine / glm::dot(d, d) * mirrored(image + d * (from.y / d.y), cosine);
+}
+
+// The same of light that travels along `direction`, of irradiance 1 on a plane that faces it.
+float exact_directional(vec3 x, vec3 direction) {
+    const vec3 up(direction.x, -direction.y, direction.z);
+    return up.y * mirrored(x - up * (ceiling / up.y), up.y);
 }
 
 class CausticsTest : public testing::GpuTest {
 protected:
-    // Irradiance that a technique gives to what each pixel sees.
-    Image render(const Scene& scene, const std::string& use) {
+    // One technique on one scene, whose instances and lights may move between frames.
+    struct Session {
+        std::unique_ptr<Renderer> renderer;
+        std::unique_ptr<Technique> technique;
+        RenderRequest request;
+        // Irradiance that the technique gives to what each pixel sees.
+        Image frame() {
+            Image image = renderer->render(request).images.at("caustics");
+            for (float& value : image.data) value *= shared::PI / albedo;
+            return image;
+        }
+    };
+    Session session(const Scene& scene, const std::string& use) {
         FrameOptions options;
         options.emitter_lights = 0, options.environment = EnvironmentMode::none;
-        auto technique = make_technique(parse_specification(use));
-        RenderRequest request{.camera = scene.cameras.at(0),
-                              .width = side,
-                              .height = side,
-                              .techniques = {technique.get()},
-                              .images = {"caustics"}};
-        Image image = Renderer(gpu(), scene, options).render(request).images.at("caustics");
-        for (float& value : image.data) value *= shared::PI / albedo;
-        return image;
+        Session s{
+            std::make_unique<Renderer>(gpu(), scene, options), make_technique(parse_specification(use)), {}};
+        s.request = {.camera = scene.cameras.at(0),
+                     .width = side,
+                     .height = side,
+                     .techniques = {s.technique.get()},
+                     .images = {"caustics"}};
+        return s;
     }
+    Image render(const Scene& scene, const std::string& use) { return session(scene, use).frame(); }
     vec3 seen(const Scene& scene, int x, int y) {
         const CameraBasis b = camera_basis(scene.cameras[0], side, side);
         const vec3 d = pixel_direction(b, side, side, {float(x) + 0.5f, float(y) + 0.5f});
@@ -68,17 +90,19 @@ protected:
     };
     Comparison compare(const std::string& use) {
         const Scene scene = mirror_under_ceiling();
-        const Image image = render(scene, use);
+        return compare(scene, render(scene, use), [](vec3 x) { return exact(x); });
+    }
+    Comparison compare(const Scene& scene, const Image& image, const std::function<float(vec3)>& irradiance) {
         double ours = 0, all = 0, error = 0, count = 0;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const vec3 p = seen(scene, x, y);
-                const float truth = exact(p);
+                const float truth = irradiance(p);
                 ours += image.rgb(x, y).g, all += truth;
                 bool interior = true;
                 for (const vec3& d :
                      {vec3(0.06f, 0, 0), vec3(-0.06f, 0, 0), vec3(0, 0, 0.06f), vec3(0, 0, -0.06f)})
-                    interior = interior && exact(p + d) > 0.0f;
+                    interior = interior && irradiance(p + d) > 0.0f;
                 if (interior) error += std::abs(image.rgb(x, y).g - truth) / truth, ++count;
             }
         EXPECT_GT(count, 500);
@@ -92,8 +116,8 @@ TEST_F(CausticsTest, PlaneMirrorLightsTheCeilingLikeTheLampsImage) {
     EXPECT_LT(triangles.interior, 0.02);
 
     // Half of the areas instead of a third keeps two thirds of the light.
-    const Comparison thesis = compare("caustic_triangles:photons=64,size=128,caustic_size=256,area=thesis");
-    EXPECT_NEAR(thesis.flux / triangles.flux, 2.0 / 3.0, 0.01);
+    const std::string flux = "caustic_triangles:photons=64,size=128,caustic_size=256,rim=flux";
+    EXPECT_NEAR(compare(flux + ",area=thesis").flux / compare(flux).flux, 2.0 / 3.0, 0.01);
 
     // Splats keep it as well; small ones show their dots.
     for (const char* radius : {"1.5", "3", "6"}) {
@@ -130,6 +154,86 @@ TEST_F(CausticsTest, ABlockerKeepsItsShadow) {
     ASSERT_GT(before, 10.0);
     EXPECT_LT(shadow, 0.01 * before);
     EXPECT_NEAR(lit / lit_before, 1.0, 0.06);
+}
+
+constexpr const char* triangles_64 = "caustic_triangles:photons=64,size=128,caustic_size=256";
+
+// Their images are parallel light; the environment is black but for a sun of one texel.
+TEST_F(CausticsTest, SunAndSkyShineByWayOfTheMirror) {
+    constexpr int width = 512, height = 256, column = 240, row = 28;
+    Scene scene = mirror_under_ceiling(-0.2f); // light comes in past its rim
+    scene.lights.clear();
+    Scene sky = scene;
+    sky.environment.radiance = Image(width, height, 3);
+    const float theta = shared::PI * (row + 0.5f) / height, step = shared::PI / height;
+    const float phi = 2.0f * shared::PI * ((column + 0.5f) / width - 0.5f);
+    const float solid = 2.0f * step * std::sin(theta) * std::sin(step / 2); // dphi (cos - cos)
+    for (int c = 0; c < 3; ++c) sky.environment.radiance.at(column, row)[c] = 1.0f / solid;
+    const vec3 toward(std::sin(phi) * std::sin(theta), std::cos(theta), -std::cos(phi) * std::sin(theta));
+    scene.lights = {{.type = shared::LIGHT_DIRECTIONAL, .direction = -toward, .intensity = vec3(1)}};
+
+    for (Scene* s : {&scene, &sky}) {
+        const Comparison c =
+            compare(*s, render(*s, triangles_64), [&](vec3 x) { return exact_directional(x, -toward); });
+        EXPECT_NEAR(c.flux, 1.0, 0.05);
+        EXPECT_LT(c.interior, 0.03);
+    }
+}
+
+// A small square that shines downward, whose power is the lamp's as the mirror sees it.
+TEST_F(CausticsTest, AnEmitterShinesByWayOfTheMirror) {
+    constexpr float half = 0.01f, height = 0.8f;
+    Scene scene = mirror_under_ceiling();
+    scene.lights.clear();
+    Material glow = procedural::lambertian("glow", vec3(0));
+    glow.emission = vec3(intensity / (4 * half * half));
+    procedural::add_quad_object(scene, glow, {-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half});
+    const Comparison c = compare(scene, render(scene, triangles_64), [](vec3 x) {
+        const vec3 from(0, height, 0), d = x + from;
+        return exact(x, from) * d.y / glm::length(d);
+    });
+    EXPECT_NEAR(c.flux, 1.0, 0.05);
+    EXPECT_LT(c.interior, 0.03);
+}
+
+TEST_F(CausticsTest, EverythingMayMove) {
+    Scene scene = mirror_under_ceiling();
+    Session moving = session(scene, triangles_64);
+    const Image before = moving.frame();
+    scene.lights[0].position = {0.15f, 0.7f, -0.1f};
+    scene.instances[0].transform[3] = glm::vec4(-0.1f, 0.05f, 0.1f, 1.0f);
+    moving.renderer->update_motion();
+    const Image after = moving.frame(), anew = render(scene, triangles_64);
+    EXPECT_EQ(after.data, anew.data);
+    EXPECT_NE(before.data, after.data);
+}
+
+// Above the mirror and looking down, one sees the ceiling in it, and on the ceiling what the mirror lights.
+TEST_F(CausticsTest, MirrorsShowCaustics) {
+    Scene scene = mirror_under_ceiling();
+    Camera& camera = scene.cameras[0];
+    camera.position = {0, 0.6f, 0}, camera.forward = {0, -1, 0}, camera.yfov = 0.8f;
+    const CameraBasis b = camera_basis(camera, side, side);
+    const Image image = render(scene, "caustic_triangles:photons=64,size=256,caustic_size=256,reflected=on");
+    const Image off = render(scene, triangles_64);
+    double ours = 0, all = 0, error = 0, count = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            EXPECT_EQ(off.rgb(x, y), vec3(0));
+            const vec3 d = pixel_direction(b, side, side, {float(x) + 0.5f, float(y) + 0.5f});
+            const vec3 at = b.position - d * (b.position.y / d.y), up(d.x, -d.y, d.z);
+            const float seen = mirrored(at, glm::normalize(up).y),
+                        truth = seen * exact(at + up * (ceiling / up.y));
+            ours += image.rgb(x, y).g, all += truth;
+            bool interior = true;
+            for (const vec3& step :
+                 {vec3(0.06f, 0, 0), vec3(-0.06f, 0, 0), vec3(0, 0, 0.06f), vec3(0, 0, -0.06f)})
+                interior = interior && seen > 0.0f && exact(at + up * (ceiling / up.y) + step) > 0.0f;
+            if (interior) error += std::abs(image.rgb(x, y).g - truth) / truth, ++count;
+        }
+    ASSERT_GT(count, 500);
+    EXPECT_NEAR(ours / all, 1.0, 0.05);
+    EXPECT_LT(error / count, 0.02);
 }
 
 } // namespace

@@ -13,6 +13,7 @@ layout(binding = 3) uniform sampler2D diffuse;
 layout(binding = 4) uniform samplerCube distance_map;
 layout(binding = 5) uniform samplerCube caustic;
 layout(binding = 6, rgba32f) uniform image2D radiance;
+#include "techniques/common/caustic_receive.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -20,13 +21,7 @@ void main() {
     float z = texelFetch(depth, pixel, 0).r;
     if (z <= 0.0) return;
     vec3 x = world_position(p.view, vec2(pixel) + 0.5, z) - p.center;
-    float distance = length(x);
-    float facing = abs(dot(texelFetch(geometric_normal, pixel, 0).xyz, x)) / distance;
-
-    // On one surface the distance changes by this much over two texels.
-    float tolerance = 0.01 + 2.0 * p.texel / max(facing, 0.05);
-    if (abs(distance / textureLod(distance_map, x, 0.0).r - 1.0) > tolerance) return;
-    vec3 irradiance = textureLod(caustic, x, 0.0).rgb;
+    vec3 irradiance = caustic_irradiance(x, texelFetch(geometric_normal, pixel, 0).xyz, p.texel);
     vec3 before = imageLoad(radiance, pixel).rgb;
     imageStore(radiance, pixel, vec4(before + texelFetch(diffuse, pixel, 0).rgb / PI * irradiance, 1));
 }

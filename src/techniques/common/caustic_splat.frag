@@ -5,12 +5,12 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/common/caustics_params.h"
 
-layout(set = 0, binding = 0, scalar) uniform params { CausticFaceParams p; };
 layout(location = 0) in vec2 offset;
 layout(location = 1) flat in vec3 irradiance;
+layout(location = 2) flat in float radius;
 layout(location = 0) out vec4 sum;
 
 void main() {
-    float kernel = 3.0 / (PI * p.radius * p.radius) * max(1.0 - length(offset), 0.0);
+    float kernel = 3.0 / (PI * radius * radius) * max(1.0 - length(offset), 0.0);
     sum = vec4(irradiance * kernel, 0.0);
 }

@@ -16,6 +16,7 @@ struct CausticOptions {
     int photons = 128; // a side of the photon image of each light and object
     int size = 256;    // texels a side of the caustic cube map
     bool mirrored = true;
+    bool reflected = false;
     LightSamples lights;
     void visit(Visitor& v);
 };
@@ -40,7 +41,7 @@ using CausticDraw = std::function<void(gpu::Recorder&, const Photons&, const Dis
 Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
                       const CausticOptions& options, const CausticDraw& draw);
 
-// As cones of that radius in texels; pixels whose power has a = 1 are left out.
+// As cones of that radius in texels, or of the area that a power's a tells, m2, where that is larger.
 void splat_photons(gpu::Recorder& recorder, const Photons& photons, const gpu::Image& powers,
                    const DistanceCube& receivers, const CausticFace& face, float radius);
 

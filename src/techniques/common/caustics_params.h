@@ -16,12 +16,15 @@ struct CausticPhotonParams {
     uint mirrored; // 1 = photons that glass reflects first; 0 = the stronger branch at each surface
 };
 
+// Texels that a splat is never wider than for the area that it covers.
+LUXEL_CONST float CAUSTIC_WIDEST = 32.0f;
+
 // One face of the caustic cube map, as raster passes see it.
 struct CausticFaceParams {
     mat4 to_clip; // from positions relative to the center
     int face;
     int size;     // texels a side
-    float radius; // of a splat, texels
+    float radius; // of a splat, texels, at least
     int photons;  // a side of the photon image
 };
 
@@ -29,6 +32,12 @@ struct CausticReceiveParams {
     ViewParams view;
     vec3 center;
     float texel; // of the distance map, radians
+};
+
+struct CausticRadianceParams {
+    int face;
+    vec3 offset; // center of the face's cube, relative to that of the caustic
+    float texel; // of the caustic's distance map, radians
 };
 
 // Area on a surface with normal n that a texel of solid angle `solid` shows in the direction of p, m2.

@@ -4,13 +4,11 @@
 #include <bit>
 
 #include "core/error.h"
+#include "techniques/common/cube_view_params.h"
 
 namespace luxel {
 
 void CubeTraceOptions::visit(Visitor& v) {
-    v.choice("search", search, cube_search_names,
-             "how rays meet the distance map; none = environment mapping, parallax = corrected once per "
-             "refine step");
     v.integer("size", size, {16, 2048}, "texels a side of a cube face; rounded up to a power of two");
     v.choice("near", near, {"peeled", "faces"},
              "layers of specular surfaces: by depth, or front and back sides");
@@ -19,10 +17,16 @@ void CubeTraceOptions::visit(Visitor& v) {
     v.integer("refine", refine, {0, 64}, "secant, binary or parallax steps");
     v.real("jump", jump, {0.001, 1000}, "change of distance over two texels, as a share, that is a gap");
     v.integer("depth", depth, {1, 8}, "specular surfaces on a path, the first included");
-    v.real("least_weight", least_weight, {0, 1}, "branches that would add less than this share are dropped");
-    v.flag("both", both, "follow reflection and refraction; off: the greater of them");
     v.choice("maps", maps, {"one", "each"},
              "a distance cube in the middle of all specular objects, or one at each");
+}
+
+void CubePathOptions::visit(Visitor& v) {
+    v.choice("search", search, cube_search_names,
+             "how rays meet the distance map; none = environment mapping, parallax = corrected once per "
+             "refine step");
+    v.real("least_weight", least_weight, {0, 1}, "branches that would add less than this share are dropped");
+    v.flag("both", both, "follow reflection and refraction; off: the greater of them");
 }
 
 std::vector<Bounds> bounds_of_maps(const GpuScene& scene, const std::vector<SceneObject>& specular,
@@ -67,9 +71,10 @@ gpu::Bindings TracedCube::bindings() const {
 
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,
-                               const CubeTraceOptions& options, const std::string& prefix) {
+                               const CubeTraceOptions& options, CubeSearch search,
+                               const std::string& prefix) {
     const Scene& scene = frame.scene->scene();
-    const bool marched = options.search >= CubeSearch::linear;
+    const bool marched = search >= CubeSearch::linear;
     CubeRequest request{.center = center,
                         .size = int(std::bit_ceil(unsigned(options.size))),
                         .layers = {},
@@ -93,9 +98,7 @@ TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                 .refine = options.refine,
                                 .jump = options.jump,
                                 .texel = 2.0f / float(request.size)},
-                     .depth = options.depth,
-                     .least_weight = options.least_weight,
-                     .both = options.both ? 1u : 0u};
+                     .depth = options.depth};
     traced.ranges =
         recorder.image({.width = std::uint32_t(layers), .height = 1, .format = VK_FORMAT_R32G32_SFLOAT},
                        prefix + "cube ranges");
@@ -115,6 +118,21 @@ TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
     recorder.dispatch("common/cube_range.comp", {std::uint32_t(layers), 1, 1}, p,
                       {{"coarsest", coarsest}, {"ranges", traced.ranges}});
     return traced;
+}
+
+void trace_view(gpu::Recorder& recorder, const Capture& seen, const TracedCube& traced,
+                const shared::CubeObjects& objects, const CubePathOptions& paths, const gpu::Image& sum) {
+    const shared::CubeViewParams p{.view = seen.view,
+                                   .cube = traced.params,
+                                   .objects = objects,
+                                   .least_weight = paths.least_weight,
+                                   .both = paths.both ? 1u : 0u};
+    gpu::Bindings bindings = traced.bindings();
+    const gpu::Bindings first = first_surfaces(seen);
+    bindings.insert(bindings.end(), first.begin(), first.end());
+    bindings.push_back({"sum", sum});
+    recorder.dispatch("common/cube_view_" + cube_search_names[std::size_t(paths.search)] + ".comp",
+                      extent_of(sum), p, bindings);
 }
 
 } // namespace luxel

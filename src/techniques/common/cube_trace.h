@@ -17,17 +17,23 @@ enum class NearLayers { peeled, faces };
 // One distance cube in the middle of all specular objects, or one at each.
 enum class DistanceMaps { one, each };
 
+// What is captured, and how rays march through it.
 struct CubeTraceOptions {
-    CubeSearch search = CubeSearch::secant;
     int size = 256; // texels a side of a face
     NearLayers near = NearLayers::peeled;
     int layers = 3; // of specular surfaces, when peeled
     int linear = 32, refine = 4;
     float jump = 0.3f;
     int depth = 4;
+    DistanceMaps maps = DistanceMaps::each;
+    void visit(Visitor& v);
+};
+
+// How paths from the camera use it.
+struct CubePathOptions {
+    CubeSearch search = CubeSearch::secant;
     float least_weight = 0.01f;
     bool both = true;
-    DistanceMaps maps = DistanceMaps::each;
     void visit(Visitor& v);
 };
 
@@ -48,9 +54,15 @@ struct TracedCube {
 // What a capture shows, where paths start.
 gpu::Bindings first_surfaces(const Capture& seen);
 
-// Around `center` (world): near layers of `specular`, a far one of the rest of the scene.
+// Around `center` (world): near layers of `specular`, which `search` may do without, a far one of the rest of
+// the scene.
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,
-                               const CubeTraceOptions& options, const std::string& prefix);
+                               const CubeTraceOptions& options, CubeSearch search, const std::string& prefix);
+
+// Adds to `sum` (RGBA32F, as large as the capture) what its specular surfaces show of the cube's radiance:
+// those that belong to the object objects.own.
+void trace_view(gpu::Recorder& recorder, const Capture& seen, const TracedCube& traced,
+                const shared::CubeObjects& objects, const CubePathOptions& paths, const gpu::Image& sum);
 
 } // namespace luxel

@@ -10,9 +10,7 @@ struct CubeTraceParams {
     int layers;
     int near_layers; // the first ones: specular surfaces; the others hold what is not specular
     DistanceSearch search;
-    int depth;          // specular surfaces on a path, the first included
-    float least_weight; // a branch that would add less than this share is not followed
-    uint both;          // 1 = reflection and refraction, 0 = the greater of the two
+    int depth; // specular surfaces on a path, the first included
 };
 
 // Which of several cubes a point of a specular surface belongs to: that of the object it is in more than in

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/distance_map/distance_map.h"
 
-#include "techniques/distance_map/distance_map_params.h"
-
 namespace luxel {
 
-void DistanceMap::visit(Visitor& v) { options_.visit(v); }
+void DistanceMap::visit(Visitor& v) {
+    paths_.visit(v);
+    options_.visit(v);
+}
 
 void DistanceMap::prepare(gpu::Gpu&, const Scene& scene) { objects_ = specular_objects(scene); }
 
@@ -16,19 +17,12 @@ Contribution DistanceMap::render(gpu::Recorder& recorder, const Frame& frame) {
         "distance_map reflections");
     recorder.clear(reflections, {0, 0, 0, 1});
     const std::vector<Bounds> bounds = bounds_of_maps(*frame.scene, objects_, options_.maps);
-    shared::DistanceMapParams p{.view = frame.view, .objects = cube_objects(bounds)};
-
-    const gpu::Bindings first = first_surfaces(frame);
-    const std::string program =
-        "distance_map/trace_" + cube_search_names[std::size_t(options_.search)] + ".comp";
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        const TracedCube traced = capture_traced_cube(recorder, frame, objects_, bounds[i].center(), options_,
-                                                      "distance_map " + std::to_string(i) + " ");
-        p.cube = traced.params, p.objects.own = int(i);
-        gpu::Bindings bindings = traced.bindings();
-        bindings.insert(bindings.end(), first.begin(), first.end());
-        bindings.push_back({"reflections", reflections});
-        recorder.dispatch(program, extent_of(reflections), p, bindings);
+    shared::CubeObjects objects = cube_objects(bounds);
+    for (objects.own = 0; objects.own < objects.count; ++objects.own) {
+        const TracedCube traced =
+            capture_traced_cube(recorder, frame, objects_, bounds[std::size_t(objects.own)].center(),
+                                options_, paths_.search, "distance_map " + std::to_string(objects.own) + " ");
+        trace_view(recorder, frame, traced, objects, paths_, reflections);
     }
     return {.radiance = reflections};
 }

@@ -17,6 +17,7 @@ public:
 
 private:
     CubeTraceOptions options_;
+    CubePathOptions paths_;
     std::vector<SceneObject> objects_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
 #version 460
-#define SEARCH LINEAR
+#define SEARCH BINARY
 #extension GL_GOOGLE_include_directive : require
-#include "techniques/distance_map/trace.glsl"
+#include "techniques/common/cube_view.glsl"

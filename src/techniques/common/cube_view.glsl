@@ -4,17 +4,17 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/common/cube_trace.glsl"
 #include "techniques/common/distance_cube_params.h"
-#include "techniques/distance_map/distance_map_params.h"
+#include "techniques/common/cube_view_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0, scalar) uniform params { DistanceMapParams p; };
+layout(binding = 0, scalar) uniform params { CubeViewParams p; };
 layout(binding = 6) uniform sampler2D depth;
 layout(binding = 7) uniform sampler2D normal;
 layout(binding = 8) uniform sampler2D geometric_normal;
 layout(binding = 9) uniform sampler2D diffuse;
 layout(binding = 10) uniform sampler2D specular;
 layout(binding = 11) uniform sampler2D direct; // a = signed_ior
-layout(binding = 12, rgba32f) uniform image2D reflections;
+layout(binding = 12, rgba32f) uniform image2D sum;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -35,18 +35,18 @@ void main() {
     vec3 n = texelFetch(normal, pixel, 0).xyz;
 
     // Depth first: what waits is at most one ray for each surface behind the present one.
-    CubeRay waiting[DISTANCE_MAP_MAX_DEPTH + 1];
+    CubeRay waiting[CUBE_VIEW_MAX_DEPTH + 1];
     int count = 0;
-    vec3 sum = vec3(0);
+    vec3 found = vec3(0);
     bool at_surface = true;
     for (;;) {
         if (at_surface) {
             CubeBranches b = branch(ray, ray.x, n, material, true);
             float reflected = max(b.reflected.weight.r, max(b.reflected.weight.g, b.reflected.weight.b));
             float refracted = max(b.refracted.weight.r, max(b.refracted.weight.g, b.refracted.weight.b));
-            bool one = p.cube.both == 0u;
-            if (reflected > p.cube.least_weight && !(one && reflected < refracted)) waiting[count++] = b.reflected;
-            if (refracted > p.cube.least_weight && !(one && reflected >= refracted)) waiting[count++] = b.refracted;
+            bool one = p.both == 0u;
+            if (reflected > p.least_weight && !(one && reflected < refracted)) waiting[count++] = b.reflected;
+            if (refracted > p.least_weight && !(one && reflected >= refracted)) waiting[count++] = b.refracted;
         }
         if (count == 0) break;
         ray = waiting[--count];
@@ -55,10 +55,10 @@ void main() {
         vec4 place = vec4(hit.p, hit.layer);
         material = textureLod(material_map, place, 0.0);
         at_surface = hit.layer < p.cube.near_layers && material.a != 0.0;
-        if (!at_surface) sum += ray.weight * textureLod(radiance_map, place, 0.0).rgb;
+        if (!at_surface) found += ray.weight * textureLod(radiance_map, place, 0.0).rgb;
         if (ray.depth >= p.cube.depth) at_surface = false;
         n = normalize(textureLod(normal_map, place, 0.0).xyz);
         ray.x = hit.p;
     }
-    imageStore(reflections, pixel, vec4(sum, 1));
+    imageStore(sum, pixel, vec4(imageLoad(sum, pixel).rgb + found, 1));
 }

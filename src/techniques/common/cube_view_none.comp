@@ -2,4 +2,4 @@
 #version 460
 #define SEARCH NONE
 #extension GL_GOOGLE_include_directive : require
-#include "techniques/distance_map/trace.glsl"
+#include "techniques/common/cube_view.glsl"
