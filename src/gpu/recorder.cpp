@@ -2,6 +2,8 @@
 // Dispatches, scopes and submission.
 #include "gpu/recorder.h"
 
+#include <utility>
+
 #include "gpu/check.h"
 #include "gpu/recorder_data.h"
 
@@ -18,9 +20,14 @@ Recorder::Scope Recorder::scope(std::string name) {
 }
 
 std::vector<PassTime> Recorder::submit() {
-    std::vector<PassTime> times = data_->commands.submit();
+    flush();
+    return std::exchange(flushed_, {});
+}
+
+void Recorder::flush() {
+    const std::vector<PassTime> times = data_->commands.submit();
     if (!gpu_.data().faults.skip_wait) data_->descriptors.reset();
-    return times;
+    flushed_.insert(flushed_.end(), times.begin(), times.end());
 }
 
 // C++ pads a struct to its alignment, scalar layout does not.

@@ -139,6 +139,9 @@ public:
     // Runs everything recorded, waits, returns GPU times per pass in order. The recorder can then be used
     // again. Errors: Fault::device_lost.
     std::vector<PassTime> submit();
+    // The same in the middle of a frame, for what the CPU has to see: the times come first in what the next
+    // submit() returns.
+    void flush();
 
 private:
     template <class P> static std::span<const std::byte> bytes_of(const P& p) {
@@ -154,6 +157,7 @@ private:
                     const Buffer&, std::span<const Batch>);
     Gpu& gpu_;
     std::vector<Image> images_;
+    std::vector<PassTime> flushed_;
     struct Data;
     std::unique_ptr<Data> data_;
 };

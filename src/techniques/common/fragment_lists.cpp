@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/common/fragment_lists.h"
+
+#include <bit>
+
+#include "core/error.h"
+#include "shared/brdf.h"
+
+namespace luxel {
+namespace {
+
+constexpr std::uint32_t node_bytes = 16;
+// Every device can bind 128 MiB as one storage buffer.
+constexpr std::uint32_t most_nodes = (128u << 20) / node_bytes;
+
+// From clip space of the world to pixels of positions relative to the center; row 0 on top.
+glm::mat4 to_pixel(const glm::mat4& world_to_clip, const Axes& axes, glm::vec3 center, int side) {
+    const glm::mat4 rows = glm::transpose(world_to_clip);
+    const float half = 0.5f * float(side);
+    const glm::vec4 depth(axes.forward, -glm::dot(axes.forward, axes.position));
+    const glm::mat4 world =
+        glm::transpose(glm::mat4(half * (rows[3] + rows[0]), half * (rows[3] - rows[1]), depth, rows[3]));
+    glm::mat4 moved(1.0f);
+    moved[3] = glm::vec4(center, 1.0f);
+    return world * moved;
+}
+
+shared::ListView list_view(const glm::mat4& world_to_clip, const Axes& axes, const Bounds& scene, int side) {
+    shared::ListView v{};
+    v.center = scene.center();
+    v.to_pixel = to_pixel(world_to_clip, axes, v.center, side);
+    v.side = side;
+    v.levels = std::bit_width(unsigned(side));
+    v.longest = 2.0f * scene.radius() + glm::length(axes.position - v.center);
+    v.pixel = 2.0f * std::max(glm::length(axes.right), glm::length(axes.up)) / float(side);
+    return v;
+}
+
+std::vector<shared::ListMaterial> list_materials(const Scene& scene) {
+    std::vector<shared::ListMaterial> materials;
+    for (const Instance& instance : scene.instances) {
+        const Material& m = scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
+        const shared::Brdf brdf =
+            shared::make_brdf(m.base_color, m.metallic, m.roughness, m.ior, m.specular, m.specular_color);
+        materials.push_back(
+            {.f0 = brdf.f0,
+             .ior = shared::signed_ior(m.metallic, m.roughness, m.transmission, m.ior, m.thin),
+             .f90 = brdf.f90.x,
+             .roughness = shared::is_mirror(m.metallic, m.roughness)
+                              ? 0.0f
+                              : std::max(m.roughness, shared::MIRROR_ROUGHNESS)});
+    }
+    return materials;
+}
+
+} // namespace
+
+ListProjection list_view_of_camera(const shared::ViewParams& camera, const Bounds& scene, int side,
+                                   float margin) {
+    const Axes axes{camera.position, camera.forward, camera.right * (1.0f + margin),
+                    camera.up * (1.0f + margin)};
+    const glm::mat4 to_clip = perspective_to_clip(axes, camera.near);
+    shared::ListView view = list_view(to_clip, axes, scene, side);
+    view.near = camera.near;
+    return {view, to_clip};
+}
+
+ListProjection list_view_of_box(const Bounds& scene, int side) {
+    const float radius = scene.radius() * 1.001f;
+    const glm::vec3 forward = -glm::normalize(glm::vec3(1.0f));
+    const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1, 0)));
+    const glm::vec3 up = glm::cross(right, forward);
+
+    // As wide and high as the box's corners are.
+    glm::vec2 most(1e-4f);
+    for (int i = 0; i < 8; ++i) {
+        const glm::vec3 corner =
+            glm::vec3((i & 1) ? scene.most.x : scene.least.x, (i & 2) ? scene.most.y : scene.least.y,
+                      (i & 4) ? scene.most.z : scene.least.z) -
+            scene.center();
+        most = glm::max(most, glm::abs(glm::vec2(glm::dot(corner, right), glm::dot(corner, up))));
+    }
+    most *= 1.001f;
+    const Axes axes{scene.center() - forward * radius, forward, right * most.x, up * most.y};
+    const glm::mat4 to_clip = orthographic_to_clip(axes, 0.0f, 2.0f * radius);
+    return {list_view(to_clip, axes, scene, side), to_clip};
+}
+
+FragmentLists::FragmentLists(gpu::Gpu& gpu, const Scene& scene) {
+    materials_ = gpu.upload(std::span<const shared::ListMaterial>(list_materials(scene)), "list materials");
+    count_ = gpu.buffer(4, "list count");
+}
+
+gpu::Bindings FragmentLists::bindings() const { return {{"heads", heads_}, {"nodes", nodes_}}; }
+
+std::uint64_t FragmentLists::bytes() const {
+    return heads_.size() + nodes_.size() + shading_.size() + min_max_.bytes();
+}
+
+void FragmentLists::draw(gpu::Recorder& recorder, const GpuScene& scene) {
+    const shared::ListView& v = projection_.view;
+    recorder.fill(heads_, shared::LIST_END);
+    recorder.fill(count_, 0);
+    const shared::ListCaptureParams p{v, projection_.world_to_clip, capacity};
+    const Frustum frustum = frustum_of(projection_.world_to_clip);
+    gpu::RasterPass pass{
+        .color = {{min_max_.mip(0), std::array<float, 4>{-1e30f, -1e30f, 0, 0}, gpu::Blend::max}}};
+    const gpu::Bindings lists = {{"heads", heads_},
+                                 {"nodes", nodes_},
+                                 {"shading", shading_},
+                                 {"count", count_},
+                                 {"materials", materials_}};
+    for (MaterialUse use : {MaterialUse::none, MaterialUse::alpha}) {
+        const bool masked = use == MaterialUse::alpha;
+        const auto batches = scene.batches(frustum, masked ? Surfaces::masked : Surfaces::opaque, use);
+        if (masked && batches.empty()) continue;
+        gpu::Bindings bindings = lists;
+        for (const gpu::Binding& b : scene.vertex_bindings(MaterialUse::all))
+            if (masked ? b.name != "tangents"
+                       : b.name == "positions" || b.name == "instances" || b.name == "normals")
+                bindings.push_back(b);
+        recorder.draw(masked ? "common/fragment_lists_masked" : "common/fragment_lists", pass, p, bindings,
+                      scene.indices(), batches);
+        pass.color[0].clear.reset();
+    }
+}
+
+void FragmentLists::capture(gpu::Recorder& recorder, const GpuScene& scene,
+                            const ListProjection& projection) {
+    auto scope = recorder.scope("lists");
+    gpu::Gpu& gpu = recorder.gpu();
+    projection_ = projection;
+    const std::uint32_t side = std::uint32_t(projection.view.side);
+    heads_ = gpu.buffer(std::uint64_t(side) * side * 4, "list heads");
+    min_max_ = recorder.image({.width = side,
+                               .height = side,
+                               .format = VK_FORMAT_R32G32_SFLOAT,
+                               .mips = std::uint32_t(projection.view.levels)},
+                              "list depths");
+
+    // The count is only known when the scene has been drawn.
+    while (true) {
+        if (!nodes_ || nodes_.size() != std::uint64_t(capacity) * node_bytes) {
+            nodes_ = gpu.buffer(std::uint64_t(capacity) * node_bytes, "list nodes");
+            shading_ = gpu.buffer(std::uint64_t(capacity) * 4, "list shading normals");
+        }
+        draw(recorder, scene);
+        recorder.flush();
+        gpu.read(count_, std::as_writable_bytes(std::span(&node_count_, 1)));
+        if (node_count_ <= capacity) break;
+        if (node_count_ > most_nodes)
+            fail(Fault::resource,
+                 "fragment lists: {} fragments in {}x{} pixels, more than the {} that one GPU buffer holds; "
+                 "take a lower resolution",
+                 node_count_, side, side, most_nodes);
+        capacity = std::bit_ceil(node_count_);
+    }
+    for (int level = 1; level < projection.view.levels; ++level) {
+        const gpu::Image to = min_max_.mip(std::uint32_t(level));
+        recorder.dispatch("common/fragment_lists_mip.comp", extent_of(to), gpu::Recorder::NoParams{},
+                          {{"from", min_max_.mip(std::uint32_t(level - 1))}, {"to", to}});
+    }
+}
+
+} // namespace luxel

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The frame of the technique, and its options.
+#include "techniques/photon_map/photon_map.h"
+
+namespace luxel {
+
+void PhotonOptions::visit(Visitor& v) {
+    v.integer("photons", photons, {1, 1 << 20}, "most of them; glass sends two for each");
+    v.choice(
+        "capture", capture, {"camera", "box"},
+        "where photons are traced: in what the camera can see and a margin, or in a box around the scene");
+    v.real("margin", margin, {0, 4}, "of the camera's capture on each side, as a share of its half width");
+    v.integer("resolution", side, {16, 1024}, "pixels a side of the lists, a power of two");
+    v.flag("skip", skip, "over empty space by a min-max pyramid");
+    v.integer("bounces", bounces, {1, 16}, "specular surfaces on a photon's path");
+    v.flag("both", both, "glass met first reflects and refracts; else one of them by chance");
+    v.flag("mixed", mixed, "cells of the shadow map that are specular in part send photons, too");
+    v.choice("kernel", kernel, {"cone", "gaussian"}, "of a photon's disc");
+    v.real("share", share, {0.1, 1000}, "photons that a disc holds where nothing focuses the beam");
+    v.integer("scale", scale, {1, 8}, "pixels a side of the frame for each that photons are splatted on");
+    rsm.visit(v);
+}
+
+namespace {
+
+class PhotonMapTechnique final : public Technique {
+public:
+    Slot slot() const override { return Slot::caustics; }
+    void visit(Visitor& v) override { options_.visit(v); }
+    void prepare(gpu::Gpu& gpu, const Scene& scene) override { lists_ = FragmentLists(gpu, scene); }
+
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
+        auto scope = recorder.scope("photon_map");
+        const Bounds bounds = frame.scene->bounds();
+        ListProjection projection =
+            options_.capture == PhotonCapture::camera
+                ? list_view_of_camera(frame.view, bounds, options_.side, options_.margin)
+                : list_view_of_box(bounds, options_.side);
+        lists_.capture(recorder, *frame.scene, projection);
+        const std::vector<RsmView> views = reflective_shadow_maps(recorder, frame, options_.rsm);
+        const glm::vec3 center = lists_.view().center;
+        const PhotonBuffers photons = emit_photons(recorder, views, center, options_);
+        follow_photons(recorder, lists_, photons, options_);
+        const gpu::Image irradiance = photon_irradiance(recorder, frame, photons, center, options_);
+
+        gpu::Image radiance = recorder.image({.width = frame.width, .height = frame.height}, "caustics");
+        recorder.dispatch(
+            "photon_map/receive.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+            {{"diffuse", frame.gbuffer.diffuse}, {"irradiance", irradiance}, {"radiance", radiance}});
+        return {.radiance = radiance};
+    }
+
+private:
+    PhotonOptions options_;
+    FragmentLists lists_;
+};
+
+} // namespace
+
+std::unique_ptr<Technique> make_photon_map() { return std::make_unique<PhotonMapTechnique>(); }
+
+} // namespace luxel

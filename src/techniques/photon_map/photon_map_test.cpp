@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Energy of photons: from a lamp over a plane mirror to the ceiling, in closed form, and from discs to
+// pixels.
+#include <gtest/gtest.h>
+
+#include "scene/procedural.h"
+#include "scene/procedural_parts.h"
+#include "shared/brdf.h"
+#include "support/gpu.h"
+#include "techniques/frame/renderer.h"
+#include "techniques/technique.h"
+
+namespace luxel {
+namespace {
+
+using glm::vec3;
+
+constexpr int side = 128;
+constexpr float half_mirror = 0.3f, ceiling = 1.5f, albedo = 0.5f, intensity = 3.0f;
+const vec3 lamp(-0.1f, 1.0f, 0.05f);
+
+// A mirror of this half width lies on y = 0, facing up; the camera looks straight up at the ceiling.
+Scene mirror_under_ceiling(float half_width, float half_length) {
+    Scene scene;
+    Mesh& mirror = procedural::add_specular_object(scene, procedural::mirror("mirror", vec3(0.9f)));
+    add_quad(mirror, {-half_width, 0, half_length}, {2 * half_width, 0, 0}, {0, 0, -2 * half_length});
+    procedural::add_quad_object(scene, procedural::lambertian("ceiling", vec3(albedo)), {-2, ceiling, -2},
+                                {4, 0, 0}, {0, 0, 4});
+    scene.lights = {procedural::point_light(lamp, intensity)};
+    scene.cameras.push_back({.position = {0, 0.3f, 0}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .yfov = 2.2f});
+    return scene;
+}
+
+// Flux that the mirror sends on: its irradiance by the lamp, over its area.
+double sent(float half_width, float half_length) {
+    constexpr int n = 400;
+    double sum = 0;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const vec3 on((2 * (float(i) + 0.5f) / n - 1) * half_width, 0,
+                          (2 * (float(j) + 0.5f) / n - 1) * half_length);
+            const vec3 d = lamp - on;
+            const float cosine = d.y / glm::length(d);
+            sum +=
+                intensity * cosine / glm::dot(d, d) * shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
+        }
+    return sum * 4 * half_width * half_length / (n * n);
+}
+
+class PhotonMapTest : public testing::GpuTest {
+protected:
+    Image caustics(const Scene& scene, const std::string& use) {
+        FrameOptions options;
+        options.emitter_lights = 0, options.environment = EnvironmentMode::none, options.shadow_size = 64;
+        auto technique = make_technique(parse_specification(use));
+        RenderRequest request{.camera = scene.cameras.at(0),
+                              .width = side,
+                              .height = side,
+                              .techniques = {technique.get()},
+                              .images = {"caustics"}};
+        return Renderer(gpu(), scene, options).render(request).images.at("caustics");
+    }
+    // Irradiance times the area that each pixel sees of the ceiling.
+    double received(const Scene& scene, const std::string& use) {
+        const Image image = caustics(scene, use);
+        const CameraBasis b = camera_basis(scene.cameras[0], side, side);
+        const float pixel = 2 * glm::length(b.right) / side * (ceiling - b.position.y);
+        double sum = 0;
+        for (std::size_t i = 0; i < image.pixels(); ++i) sum += image.data[4 * i + 1];
+        return sum * shared::PI / albedo * pixel * pixel;
+    }
+};
+
+TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
+    const Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    const double all = sent(half_mirror, half_mirror);
+    for (const char* use : {"photon_map", "photon_map:kernel=gaussian", "photon_map:photons=400",
+                            "photon_map:capture=box", "photon_map:scale=2"})
+        EXPECT_NEAR(received(scene, use) / all, 1.0, 0.02) << use;
+}
+
+// A strip of three pixels of the shadow map is nowhere specular over a whole cell; the thesis's way loses it.
+TEST_F(PhotonMapTest, AThinMirrorKeepsItsLight) {
+    const Scene scene = mirror_under_ceiling(0.0125f, half_mirror);
+    const double all = sent(0.0125f, half_mirror);
+    const std::string few = "photon_map:photons=50";
+    EXPECT_NEAR(received(scene, few) / all, 1.0, 0.1); // three pixels stand for 3.2
+    EXPECT_LT(received(scene, few + ",mixed=off") / all, 0.1);
+}
+
+} // namespace
+} // namespace luxel

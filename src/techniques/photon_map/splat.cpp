@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Photons as discs on the frame [Le2014, 3.3.2.3 and 3.3.2.4].
+#include "techniques/photon_map/photon_map.h"
+
+namespace luxel {
+namespace {
+
+// A cone of this radius in pixels keeps its energy on the pixels' grid within 1 %.
+constexpr float least_radius = 2.0f;
+// With it the Gaussian spreads light as far as the cone does: their second moments over the disc are 2 delta
+// h^2 (but for its end) and 3/10 h^2.
+constexpr float delta = 0.15f;
+
+} // namespace
+
+gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const PhotonBuffers& photons,
+                             glm::vec3 center, const PhotonOptions& options) {
+    auto scope = recorder.scope("splat");
+    const std::uint32_t step = std::uint32_t(options.scale);
+    const gpu::ImageInfo size{.width = (frame.width + step - 1) / step,
+                              .height = (frame.height + step - 1) / step};
+    const gpu::Image guide = recorder.image(size, "photon guide");
+    const GBuffer& g = frame.gbuffer;
+    recorder.dispatch("photon_map/guide.comp", extent_of(guide), options.scale,
+                      {{"depth", g.depth}, {"geometric_normal", g.geometric_normal}, {"guide", guide}});
+
+    // Coarse pixels are pixels of the frame; their view is the frame's, cut into fewer.
+    shared::PhotonSplatParams p{.view = frame.view,
+                                .center = center,
+                                .share = options.share,
+                                .least = least_radius,
+                                .delta = delta,
+                                .most = photons.most};
+    p.view.width /= float(step), p.view.height /= float(step);
+    const gpu::Image sum = recorder.image(size, "photon splats");
+    const gpu::RasterPass pass{.color = {{sum, std::array<float, 4>{}, gpu::Blend::add}}};
+    const std::vector<gpu::Batch> all = {{.draws = {{.count = std::uint32_t(6 * photons.most)}}}};
+    recorder.draw(
+        options.kernel == PhotonKernel::cone ? "photon_map/splat_cone" : "photon_map/splat_gaussian", pass, p,
+        {{"photons", photons.photons}, {"counts", photons.counts}, {"guide", guide}}, {}, all);
+    if (step == 1) return sum;
+
+    const gpu::Image full =
+        recorder.image({.width = frame.width, .height = frame.height}, "photon irradiance");
+    recorder.dispatch("photon_map/upsample.comp", extent_of(full), options.scale,
+                      {{"coarse", sum},
+                       {"guide", guide},
+                       {"depth", g.depth},
+                       {"geometric_normal", g.geometric_normal},
+                       {"irradiance", full}});
+    return full;
+}
+
+} // namespace luxel
