@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// As printed in the thesis.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define THESIS
+#include "techniques/vpl/gather_regions.glsl"

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Gathering against a sum on the CPU; regions as a partition of the pixels; interpolation against full
+// gathering.
+#include "techniques/vpl/vpl.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "scene/procedural.h"
+#include "support/gpu.h"
+#include "techniques/frame/renderer.h"
+
+namespace luxel {
+namespace {
+
+using glm::dvec3, glm::vec3, glm::vec4;
+
+// Keeps what the technique works with.
+struct GatherProbe final : Technique {
+    VplTechniqueOptions options;
+    Frame frame;
+    Vpls vpls;
+    gpu::Image irradiance;
+    Slot slot() const override { return Slot::post; }
+    Contribution render(gpu::Recorder& recorder, const Frame& f) override {
+        frame = f;
+        vpls = sample_vpls(recorder, reflective_shadow_maps(recorder, f, options.rsm), options.vpls);
+        irradiance = vpl_irradiance(recorder, f, vpls, options);
+        return {};
+    }
+};
+
+class VplGatherTest : public testing::GpuTest {
+protected:
+    GatherProbe probe(const Scene& scene, const VplTechniqueOptions& options, int width, int height) {
+        GatherProbe p;
+        p.options = options;
+        FrameOptions frame;
+        frame.emitter_lights = 0, frame.environment = EnvironmentMode::none;
+        RenderRequest request{
+            .camera = scene.cameras.at(0), .width = width, .height = height, .techniques = {&p}};
+        Renderer(gpu(), scene, frame).render(request);
+        return p;
+    }
+};
+
+VplTechniqueOptions small() {
+    VplTechniqueOptions o;
+    o.rsm.size = 128, o.vpls.count = 96;
+    return o;
+}
+
+// The sum in doubles, each kernel by its definition.
+dvec3 brute_force(const std::vector<vec4>& texels, int count, dvec3 x, dvec3 n, dvec3 plane,
+                  const VplTechniqueOptions& options) {
+    dvec3 sum(0.0);
+    for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        const dvec3 y(texels[3 * i]), m(texels[3 * i + 1]), flux(texels[3 * i + 2]);
+        const dvec3 v = y - x;
+        if (options.mode == VplMode::thesis) {
+            sum += flux * std::abs(glm::dot(n, v) * glm::dot(m, v)) / (glm::dot(v, v) + 1e-3);
+            continue;
+        }
+        const dvec3 w = glm::normalize(v);
+        const double cosines = std::max(glm::dot(n, w), 0.0) * std::max(-glm::dot(m, w), 0.0);
+        double kernel = cosines / (glm::dot(v, v) + double(texels[3 * i].w));
+        if (options.clamp > 0.0f) kernel = std::min(cosines / glm::dot(v, v), double(options.clamp));
+        if (glm::dot(plane, w) > 0.0) sum += flux / 3.14159265358979 * kernel;
+    }
+    return sum;
+}
+
+TEST_F(VplGatherTest, FullIsTheSumOverTheLights) {
+    for (int variant = 0; variant < 3; ++variant) {
+        VplTechniqueOptions o = small();
+        if (variant == 1) o.clamp = 2.0f;
+        if (variant == 2) o.mode = VplMode::thesis;
+        const GatherProbe p = probe(cornell(), o, 48, 40);
+        const int count = gpu().read_all<int>(p.vpls.count).at(0);
+        EXPECT_GT(count, 60);
+        const std::vector<vec4> texels = gpu().read_all<vec4>(p.vpls.lights);
+        const Image depth = gpu().read(p.frame.gbuffer.depth), normal = gpu().read(p.frame.gbuffer.normal),
+                    plane = gpu().read(p.frame.gbuffer.geometric_normal), e = gpu().read(p.irradiance);
+        for (int y = 0; y < e.height; ++y)
+            for (int x = 0; x < e.width; ++x) {
+                const float z = *depth.at(x, y);
+                ASSERT_EQ(e.at(x, y)[3], z > 0.0f ? 1.0f : 0.0f);
+                if (z <= 0.0f) continue;
+                const dvec3 position(shared::world_position(p.frame.view, glm::vec2(x, y) + 0.5f, z));
+                const dvec3 truth =
+                    brute_force(texels, count, position, glm::normalize(dvec3(normal.rgb(x, y))),
+                                glm::normalize(dvec3(plane.rgb(x, y))), o);
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(e.at(x, y)[c], truth[c], 1e-5 * truth[c]) << variant << " " << x << "," << y;
+            }
+    }
+}
+
+// Every pixel of a surface is in one region, and no other is; also where the image is no multiple of a
+// region.
+TEST_F(VplGatherTest, RegionsPartitionThePixels) {
+    struct RegionProbe final : Technique {
+        VplRegionOptions options;
+        VplRegions regions;
+        gpu::Image depth;
+        Slot slot() const override { return Slot::post; }
+        Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
+            regions = vpl_regions(recorder, frame, options), depth = frame.gbuffer.depth;
+            return {};
+        }
+    };
+    constexpr int width = 150, height = 101;
+    const Scene scene = shapes(ShapesLight::point);
+    for (int levels : {1, 2, 5}) {
+        RegionProbe p;
+        p.options.levels = levels;
+        RenderRequest request{
+            .camera = scene.cameras.at(0), .width = width, .height = height, .techniques = {&p}};
+        Renderer(gpu(), scene, {}).render(request);
+        const Image depth = gpu().read(p.depth);
+        const std::vector<int> counts = gpu().read_all<int>(p.regions.counts);
+        std::vector<int> covered(width * height);
+        for (std::size_t level = 0; level < counts.size(); ++level) {
+            const std::vector<std::uint32_t> list = gpu().read_all<std::uint32_t>(p.regions.lists[level]);
+            for (std::size_t i = 0; i < std::size_t(counts[level]); ++i)
+                for (int k = 0; k < 1 << (2 * level); ++k) {
+                    const int x = (int(list[i] & 0xffffu) << level) + k % (1 << level);
+                    const int y = (int(list[i] >> 16u) << level) + k / (1 << level);
+                    ASSERT_TRUE(x < width && y < height);
+                    ++covered[std::size_t(y * width + x)];
+                }
+        }
+        for (int i = 0; i < width * height; ++i)
+            ASSERT_EQ(covered[std::size_t(i)], depth.data[std::size_t(i)] > 0.0f ? 1 : 0) << levels;
+        if (levels > 1) {
+            EXPECT_GT(counts[1], 20);
+        }
+    }
+}
+
+// Both discontinuities of a part are the whole's.
+TEST(VplRegionMaths, DiscontinuitiesGrowTowardsCoarserLevels) {
+    const shared::SurfaceRange part{vec3(0), {0.1f, 0.3f, 0}, 2.0f, 2.05f},
+        whole{vec3(0), {0.1f, 0.3f, 0.2f}, 1.0f, 2.05f};
+    EXPECT_FALSE(shared::is_discontinuous(part, 0.05f, 0.5f));
+    EXPECT_TRUE(shared::is_discontinuous(part, 0.02f, 0.5f));
+    EXPECT_TRUE(shared::is_discontinuous(part, 0.05f, 0.25f));
+    EXPECT_TRUE(shared::is_discontinuous(whole, 0.05f, 0.5f));
+    const shared::SurfaceRange border{vec3(0), vec3(0), 0.0f, 1.0f}; // beside the background
+    EXPECT_TRUE(shared::is_discontinuous(border, 0.05f, 2.0f));
+}
+
+TEST_F(VplGatherTest, MultiresIsCloseToFull) {
+    VplTechniqueOptions o = small();
+    o.vpls.count = 256;
+    const GatherProbe full = probe(cornell(), o, 192, 192);
+    o.gather = VplGather::multires;
+    const GatherProbe fast = probe(cornell(), o, 192, 192);
+    const Image a = gpu().read(full.irradiance), b = gpu().read(fast.irradiance);
+    double squares = 0.0, sum = 0.0;
+    for (int y = 0; y < 192; ++y)
+        for (int x = 0; x < 192; ++x) {
+            ASSERT_EQ(a.at(x, y)[3], b.at(x, y)[3]);
+            squares += std::pow(double(luminance(a.rgb(x, y) - b.rgb(x, y))), 2.0);
+            sum += double(luminance(a.rgb(x, y)));
+        }
+    const double pixels = 192.0 * 192.0;
+    EXPECT_LT(std::sqrt(squares / pixels), 0.02 * sum / pixels);
+
+    // One level is full gathering.
+    o.regions.levels = 1;
+    const Image c = gpu().read(probe(cornell(), o, 192, 192).irradiance);
+    EXPECT_EQ(a.data, c.data);
+}
+
+} // namespace
+} // namespace luxel
