@@ -6,18 +6,11 @@
 
 namespace luxel {
 
-Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request,
-                         const std::optional<shared::HeightSearch>& search) {
-    const gpu::Image& behind = request.farther_than;
-    LUXEL_ASSERT(!behind || (float(behind.width()) == request.view.width &&
-                             float(behind.height()) == request.view.height),
-                 "view {}x{}, depth {}x{}", request.view.width, request.view.height, behind.width(),
-                 behind.height());
+Capture capture_images(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request) {
     Capture c{.width = std::uint32_t(request.view.width),
               .height = std::uint32_t(request.view.height),
               .view = request.view,
-              .scene = &scene,
-              .search = search};
+              .scene = &scene};
     auto image = [&](VkFormat format, const char* name) {
         return recorder.image({.width = c.width, .height = c.height, .format = format},
                               request.prefix + name);
@@ -30,7 +23,18 @@ Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const C
                  .hardware_depth = image(VK_FORMAT_D32_SFLOAT, "hardware_depth")};
     c.direct = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct");
     c.direct_diffuse = image(VK_FORMAT_R32G32B32A32_SFLOAT, "direct_diffuse");
+    return c;
+}
 
+Capture capture_surfaces(gpu::Recorder& recorder, const GpuScene& scene, const CaptureRequest& request,
+                         const std::optional<shared::HeightSearch>& search) {
+    const gpu::Image& behind = request.farther_than;
+    LUXEL_ASSERT(!behind || (float(behind.width()) == request.view.width &&
+                             float(behind.height()) == request.view.height),
+                 "view {}x{}, depth {}x{}", request.view.width, request.view.height, behind.width(),
+                 behind.height());
+    Capture c = capture_images(recorder, scene, request);
+    c.search = search;
     draw_gbuffer(recorder, c, request);
     recorder.clear(c.direct_diffuse, {});
     return c;

@@ -4,16 +4,7 @@
 #include "techniques/frame/displaced_params.h"
 
 namespace luxel {
-
 namespace {
-
-struct Kind {
-    const char *program, *peeling;
-    Surfaces surfaces;
-};
-constexpr Kind kinds[] = {{"frame/gbuffer_plain", "frame/peel_plain", Surfaces::plain},
-                          {"frame/gbuffer_textured", "frame/peel_textured", Surfaces::textured},
-                          {"frame/gbuffer_full", "frame/peel_full", Surfaces::full}};
 
 // Shares of the sides that are left out, see gbuffer_fragment.glsl.
 shared::PeelParams peel_params(const Capture& capture, Sides sides) {
@@ -34,9 +25,25 @@ gpu::Image at_the_eye(gpu::Recorder& recorder, const Capture& capture) {
 
 } // namespace
 
+gpu::RasterPass gbuffer_pass(const Capture& capture) {
+    const GBuffer& g = capture.gbuffer;
+    gpu::RasterPass pass{.depth = gpu::DepthTarget{.image = g.hardware_depth,
+                                                   .clear = 0.0f,
+                                                   .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
+    const std::array<float, 4> black{};
+    for (const gpu::Image& image :
+         {g.diffuse, g.specular, g.normal, g.geometric_normal, g.depth, capture.direct})
+        pass.color.push_back({image, black});
+    return pass;
+}
+
+void load_targets(gpu::RasterPass& pass) {
+    for (gpu::ColorTarget& target : pass.color) target.clear.reset();
+    pass.depth->clear.reset();
+}
+
 void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const CaptureRequest& request) {
     auto scope = recorder.scope("gbuffer");
-    const GBuffer& g = capture.gbuffer;
     const GpuScene& scene = *capture.scene;
     const Frustum frustum = frustum_of(capture.view.world_to_clip);
     const bool one_side = request.sides == Sides::front || request.sides == Sides::back;
@@ -45,26 +52,20 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
     // Depth of what is opaque comes first, so that each pixel is shaded about once. It cannot peel: which
     // surfaces have a back is their material's business. Reliefs are where their search ends.
     const bool apart = capture.search.has_value();
-    gpu::DepthTarget depth{
-        .image = g.hardware_depth, .clear = 0.0f, .compare = VK_COMPARE_OP_GREATER_OR_EQUAL};
+    gpu::RasterPass pass = gbuffer_pass(capture);
     if (!peels) {
-        recorder.draw("frame/depth", {.depth = depth}, capture.view.world_to_clip,
+        recorder.draw("frame/depth", {.depth = pass.depth}, capture.view.world_to_clip,
                       scene.vertex_bindings(MaterialUse::none), scene.indices(),
                       scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn, apart));
-        depth.clear.reset();
+        pass.depth->clear.reset();
     }
 
     // One program for each kind of material; the first clears.
-    gpu::RasterPass pass{.depth = depth};
-    const std::array<float, 4> black{};
-    for (const gpu::Image& image :
-         {g.diffuse, g.specular, g.normal, g.geometric_normal, g.depth, capture.direct})
-        pass.color.push_back({image, black});
     gpu::Bindings bindings = scene.vertex_bindings(MaterialUse::all);
     if (peels)
         bindings.push_back(
             {"farther_than", request.farther_than ? request.farther_than : at_the_eye(recorder, capture)});
-    for (const Kind& kind : kinds) {
+    for (const SurfaceProgram& kind : surface_programs) {
         std::vector<gpu::Batch> batches =
             scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn, apart);
         if (batches.empty() && kind.surfaces != Surfaces::plain) continue;
@@ -73,8 +74,7 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
                           batches);
         else
             recorder.draw(kind.program, pass, capture.view, bindings, scene.indices(), batches);
-        for (gpu::ColorTarget& target : pass.color) target.clear.reset();
-        pass.depth->clear.reset();
+        load_targets(pass);
     }
     if (!apart) return;
     std::vector<gpu::Batch> reliefs =

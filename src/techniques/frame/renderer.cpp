@@ -12,13 +12,14 @@
 #include "techniques/frame/capture.h"
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
+#include "techniques/frame/impostors.h"
 #include "techniques/frame/projection.h"
 
 namespace luxel {
 
 struct Renderer::Data {
     Data(gpu::Gpu& g, const Scene& s, const FrameOptions& o)
-        : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps), direct(g, s, o) {
+        : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps), direct(g, s, o), impostors(s) {
         if (options.environment == EnvironmentMode::ambient && !scene.environment.empty()) {
             std::vector<glm::vec3> sh = project_environment_sh(scene.environment);
             LUXEL_ASSERT(sh.size() == 9, "size={}", sh.size());
@@ -29,7 +30,7 @@ struct Renderer::Data {
         open = gpu.upload_image(Image(1, 1, 1, 1.0f), "open");
     }
 
-    Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request) const;
+    Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request);
     void add_ambient(gpu::Recorder& recorder, const Frame& frame) const;
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
@@ -39,6 +40,7 @@ struct Renderer::Data {
     FrameOptions options;
     GpuScene on_gpu;
     DirectLight direct;
+    Impostors impostors;
     shared::AmbientParams ambient{};
     gpu::Image environment, open; // open: accessibility 1
     std::shared_ptr<const void> identity = std::make_shared<int>(0);
@@ -98,25 +100,36 @@ gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
 
 } // namespace
 
-Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) const {
+Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) {
     Frame f;
     std::optional<shared::HeightSearch> search;
     for (const Technique* t : request.techniques)
         if (t->slot() == Slot::surface) search = t->height_search();
-    f.capture_surfaces = [this, search](gpu::Recorder& r, const CaptureRequest& c) {
-        return capture_surfaces(r, on_gpu, c, search);
+
+    // What the camera sees. Impostors are in this view alone, and nothing is behind them.
+    CaptureRequest seen{.view = view_params(request.camera, request.width, request.height)};
+    if (!impostors.empty()) seen.drawn = impostors.refresh(recorder, on_gpu, seen.view, search);
+    static_cast<Capture&>(f) = capture_surfaces(recorder, on_gpu, seen, search);
+    if (!impostors.empty()) impostors.draw(recorder, f);
+    direct.render(recorder, {f});
+
+    f.capture_surfaces = [this, search, own = f.gbuffer.depth](gpu::Recorder& r, const CaptureRequest& c) {
+        if (impostors.empty() || c.farther_than.data_ != own.data_)
+            return capture_surfaces(r, on_gpu, c, search);
+        CaptureRequest behind = c;
+        behind.drawn = impostors.without(c.drawn);
+        return capture_surfaces(r, on_gpu, behind, search);
     };
     f.add_light = [this](gpu::Recorder& r, const std::vector<Capture>& captures) {
         direct.render(r, captures);
     };
-    f.capture = [this, search](gpu::Recorder& r, const CaptureRequest& c) {
-        Capture capture = capture_surfaces(r, on_gpu, c, search);
-        direct.render(r, {capture});
+    f.capture = [surfaces = f.capture_surfaces, light = f.add_light](gpu::Recorder& r,
+                                                                     const CaptureRequest& c) {
+        Capture capture = surfaces(r, c);
+        light(r, {capture});
         return capture;
     };
     f.environment = environment;
-    shared::ViewParams view = view_params(request.camera, request.width, request.height);
-    static_cast<Capture&>(f) = f.capture(recorder, {.view = view});
     f.camera = request.camera;
     f.ambient = recorder.image({.width = f.width, .height = f.height}, "ambient");
     f.ambient_sh = ambient;
