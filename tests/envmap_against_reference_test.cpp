@@ -17,10 +17,10 @@ using namespace testing;
 
 constexpr int size = 96;
 
-// One view of a scene: what techniques add to it, and the reference's bounce.
+// One view of a scene: what techniques add to it, and a component of the reference.
 class View {
 public:
-    View(Scene s, std::size_t camera)
+    View(Scene s, std::size_t camera, const std::string& component = "diffuse1_unoccluded")
         : scene_(std::move(s)), gpu_({.validation = true}),
           renderer_(gpu_, scene_, options()), request_{.camera = scene_.cameras.at(camera),
                                                        .width = size,
@@ -28,9 +28,9 @@ public:
                                                        .images = {"envmap radiance"}} {
         RayCaster rays(scene_);
         ReferenceRequest truth{
-            .components = {"diffuse1_unoccluded"}, .width = size, .height = size, .camera = request_.camera};
+            .components = {component}, .width = size, .height = size, .camera = request_.camera};
         truth.settings.spp = 48, truth.settings.pixel_center = true;
-        bounce_ = render_reference(rays, truth).mean.at("diffuse1_unoccluded");
+        truth_ = render_reference(rays, truth).mean.at(component);
     }
 
     // RMS error on the object over the mean of what it should be; over blocks of 8x8 pixels that lie on the
@@ -41,7 +41,7 @@ public:
         const Image light = renderer_.render(request_).images.at("envmap radiance");
         EXPECT_TRUE(gpu_.validation_messages().empty());
         constexpr int block = 8;
-        double squares = 0, truth = 0, blocks = 0;
+        double squares = 0, sum = 0, blocks = 0;
         for (int y = 0; y < size; y += block)
             for (int x = 0; x < size; x += block) {
                 double found = 0, expected = 0, pixels = 0;
@@ -49,14 +49,14 @@ public:
                     const int u = x + i % block, v = y + i / block;
                     pixels += double(light.at(u, v)[3]); // 1 on the object
                     found += double(luminance(light.rgb(u, v))),
-                        expected += double(luminance(bounce_.rgb(u, v)));
+                        expected += double(luminance(truth_.rgb(u, v)));
                 }
                 if (pixels < block * block) continue;
                 found /= pixels, expected /= pixels;
-                squares += (found - expected) * (found - expected), truth += expected, ++blocks;
+                squares += (found - expected) * (found - expected), sum += expected, ++blocks;
             }
         EXPECT_GT(blocks, 8.0);
-        return std::sqrt(squares / blocks) / (truth / blocks);
+        return std::sqrt(squares / blocks) / (sum / blocks);
     }
 
 private:
@@ -69,7 +69,7 @@ private:
     gpu::Gpu gpu_;
     Renderer renderer_;
     RenderRequest request_;
-    Image bounce_;
+    Image truth_;
 };
 
 TEST(EnvmapAgainstReference, PolygonsStayBoundedOnTheWayToTheWalls) {
@@ -99,6 +99,20 @@ Scene bunny_room(const Scene& bunny, float distance) {
         glm::translate(glm::mat4(1.0f), ball.center()) * glm::scale(glm::mat4(1.0f), glm::vec3(scale)) *
         glm::translate(glm::mat4(1.0f), -model.center()) * bunny.instances.at(0).transform;
     return scene;
+}
+
+// A metal ball between walls that glow: the path tracer's light on it is what its lobe reflects of them.
+TEST(EnvmapAgainstReference, GlossyBallReflectsTheWalls) {
+    for (const float roughness : {0.3f, 0.6f}) {
+        Scene scene = ball_room(BallPlace::face, 1.0f, BallLight::walls);
+        Material& ball = scene.materials.at(6);
+        ball.base_color = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f), ball.metallic = 1.0f, ball.roughness = roughness;
+        View view(std::move(scene), 1, "direct");
+        const double glossy = view.error("envmap:light=all,glossy=on,estimator=classic"),
+                     without = view.error("envmap:light=all,estimator=classic");
+        EXPECT_LT(glossy, 0.06) << roughness;
+        EXPECT_GT(without, 0.9) << roughness;
+    }
 }
 
 TEST(EnvmapAgainstReference, LightsTheBunny) {

@@ -25,6 +25,9 @@ void EnvmapOptions::visit(Visitor& v) {
     v.integer("size", size, {16, 1024}, "texels a side of a captured face, a power of two");
     v.choice("probes", probes, {"objects", "grid"},
              "objects: one for each object whose role begins with \"dynamic\"; grid: for the whole scene");
+    v.flag(
+        "glossy", glossy,
+        "also what rough specular lobes reflect, by one look-up in a prefiltered map, probes=objects only");
     v.integer("grid", grid, {1, 16}, "probes along the scene's longest side, probes=grid only");
 }
 
@@ -58,6 +61,23 @@ void gather(Recorder& recorder, const Frame& frame, const EnvmapOptions& options
     recorder.dispatch(program_of(options), extent_of(radiance), p, bindings);
 }
 
+void gather_glossy(Recorder& recorder, const Frame& frame, const EnvmapSenders& senders,
+                   const shared::EnvmapGatherParams& p, const gpu::Image& object,
+                   const gpu::Image& radiance) {
+    const GBuffer& g = frame.gbuffer;
+    recorder.dispatch("envmap/glossy.comp", extent_of(radiance), p,
+                      {{"depth", g.depth},
+                       {"normal", g.normal},
+                       {"diffuse", g.diffuse},
+                       {"specular", g.specular},
+                       {"direct", frame.direct},
+                       {"hardware_depth", g.hardware_depth},
+                       {"object_depth", object},
+                       {"prefiltered", senders.prefiltered, gpu::Sampler::linear_clamp},
+                       {"reflectance", senders.reflectance, gpu::Sampler::linear_clamp},
+                       {"radiance", radiance}});
+}
+
 } // namespace
 
 Contribution Envmap::render(Recorder& recorder, const Frame& frame) {
@@ -80,8 +100,9 @@ Contribution Envmap::render(Recorder& recorder, const Frame& frame) {
     EnvmapSenders senders = find_senders(recorder, frame, object_probes(*frame.scene, objects), options_);
     for (std::size_t i = 0; i < objects.size(); ++i) {
         p.probe = int(i);
-        gather(recorder, frame, options_, senders, p,
-               object_depth(recorder, frame, only(scene, {objects[i]})), c.radiance);
+        const gpu::Image object = object_depth(recorder, frame, only(scene, {objects[i]}));
+        gather(recorder, frame, options_, senders, p, object, c.radiance);
+        if (options_.glossy) gather_glossy(recorder, frame, senders, p, object, c.radiance);
     }
     return c;
 }

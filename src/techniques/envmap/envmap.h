@@ -23,6 +23,7 @@ struct EnvmapOptions {
     int texels = 4; // M: a side of a face, 2, 4 or 8
     int size = 128; // of the captured cube
     EnvmapProbes probes = EnvmapProbes::objects;
+    bool glossy = false;
     int grid = 4; // probes along the scene's longest side, probes=grid only
     void visit(Visitor& v);
 };

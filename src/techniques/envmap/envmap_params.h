@@ -11,6 +11,18 @@ LUXEL_CONST int ENVMAP_POINT = 3;
 // Of the convolved map, and of the level that it is made of, a side of a face.
 LUXEL_CONST int ENVMAP_CONVOLVED = 16;
 
+// Prefiltered radiance: a side of the first level's faces; of level l, for roughness l / (levels - 1), half
+// as many for each.
+LUXEL_CONST int ENVMAP_GLOSSY = 128;
+LUXEL_CONST int ENVMAP_GLOSSY_LEVELS = 5;
+LUXEL_CONST uint ENVMAP_PREFILTER_SAMPLES = 128u;
+LUXEL_CONST int ENVMAP_REFLECTANCE = 32; // a side of the table
+
+struct EnvmapPrefilterParams {
+    int size; // texels a side of the probe's cube
+    float roughness;
+};
+
 // From a probe's cube to its list of senders, or to its convolved map.
 struct EnvmapListParams {
     vec3 center; // of the probe, world

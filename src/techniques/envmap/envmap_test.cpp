@@ -8,6 +8,8 @@
 
 #include "core/error.h"
 #include "scene/procedural.h"
+#include "shared/brdf.h"
+#include "shared/sampling.h"
 #include "support/box_quads.h"
 #include "support/gpu.h"
 #include "techniques/frame/projection.h"
@@ -135,6 +137,53 @@ Errors errors_on_ball(const Scene& scene, const RenderResult& result, std::size_
     return {std::sqrt(squares / pixels) / truth, e.most / truth};
 }
 
+// A metal ball of that roughness instead of the diffuse one.
+void make_glossy(Scene& scene, float roughness) {
+    for (const Instance& instance : scene.instances)
+        if (instance.role.starts_with("dynamic")) {
+            Material& m = scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
+            m.base_color = glm::vec4(0.9f, 0.6f, 0.3f, 1.0f), m.metallic = 1.0f, m.roughness = roughness;
+        }
+}
+
+// Light of radiance 1 all around leaves a rough metal as its lobe's reflectance, which depends on the view.
+TEST_F(EnvmapTest, GlossyBallInAFurnaceShowsItsReflectance) {
+    for (const float roughness : {0.15f, 0.4f, 0.75f, 1.0f}) {
+        Scene scene = ball_in_furnace();
+        make_glossy(scene, roughness);
+        const RenderResult result = session(scene, "light=all,glossy=on").frame();
+        const shared::ViewParams view = view_params(scene.cameras[0], size, size);
+        const Image &light = result.images.at("envmap radiance"), &normal = result.images.at("normal"),
+                    &depth = result.images.at("depth");
+        const shared::Brdf b = shared::make_brdf(vec3(0.9f, 0.6f, 0.3f), 1, roughness, 1.5f, 1, vec3(1));
+        int seen = 0;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                if (light.at(x, y)[3] == 0.0f) continue;
+                const vec3 n = glm::normalize(normal.rgb(x, y));
+                const vec3 wo = glm::normalize(view.position -
+                                               world_position(view, glm::vec2(x, y) + 0.5f, *depth.at(x, y)));
+                if (glm::dot(n, wo) < 0.1f) continue;
+                const glm::mat3 frame = shared::frame_around(n);
+                vec3 expected(0);
+                constexpr std::uint32_t count = 4096;
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    const vec3 h = frame * shared::sample_visible_normal(wo * frame, b.alpha,
+                                                                         shared::hammersley(i, count));
+                    const vec3 wi = glm::reflect(-wo, h);
+                    const float pdf =
+                        shared::ggx_reflection_pdf(shared::ggx_d(n, h, b.alpha), glm::dot(n, wo), b.alpha);
+                    expected +=
+                        shared::evaluate_specular(b, n, wo, wi) * (std::max(glm::dot(n, wi), 0.0f) / pdf);
+                }
+                expected /= float(count), ++seen;
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(light.at(x, y)[c], expected[c], 0.01f) << roughness << " " << x << " " << y;
+            }
+        EXPECT_GT(seen, 50);
+    }
+}
+
 TEST_F(EnvmapTest, PolygonsStayBoundedNearWallsAndPointsDoNot) {
     // Six colors of walls, the ball from one diameter to a fiftieth away from one, two or three of them.
     Errors polygon, point;
@@ -224,6 +273,7 @@ TEST_F(EnvmapTest, SizesMustBePowersOfTwo) {
     Scene scene = sphere_in_box();
     EXPECT_THROW(session(scene, "texels=3").frame(), Error);
     EXPECT_THROW(session(scene, "size=100").frame(), Error);
+    EXPECT_THROW(session(scene, "glossy=on,probes=grid").frame(), Error);
 }
 
 } // namespace

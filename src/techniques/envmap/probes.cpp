@@ -16,6 +16,8 @@ void check_envmap_options(const EnvmapOptions& o) {
         o.texels > o.size)
         fail(Fault::usage, "envmap: texels={} and size={} must be powers of two, texels the smaller",
              o.texels, o.size);
+    if (o.glossy && o.probes == EnvmapProbes::grid)
+        fail(Fault::usage, "envmap: glossy=on needs a probe for each object, probes=objects");
 }
 
 std::vector<CubeLayer> object_probes(const GpuScene& scene, const std::vector<SceneObject>& objects) {
@@ -81,6 +83,35 @@ gpu::Image convolve(Recorder& recorder, const DistanceCube& cube) {
     return convolved;
 }
 
+gpu::Image prefilter(Recorder& recorder, const DistanceCube& cube) {
+    gpu::Image prefiltered = recorder.image({.width = std::uint32_t(shared::ENVMAP_GLOSSY),
+                                             .height = std::uint32_t(shared::ENVMAP_GLOSSY),
+                                             .mips = std::uint32_t(shared::ENVMAP_GLOSSY_LEVELS),
+                                             .layers = std::uint32_t(6 * cube.layers),
+                                             .cube = true},
+                                            "envmap prefiltered");
+    for (int i = 0; i < cube.layers; ++i)
+        for (int level = 0; level < shared::ENVMAP_GLOSSY_LEVELS; ++level) {
+            gpu::Image faces = prefiltered.mip(std::uint32_t(level));
+            faces.first_layer = std::uint32_t(6 * i), faces.layer_count = 6;
+            const shared::EnvmapPrefilterParams p{cube.size,
+                                                  float(level) / float(shared::ENVMAP_GLOSSY_LEVELS - 1)};
+            recorder.dispatch(
+                "envmap/prefilter.comp", {faces.width(), faces.height(), 6}, p,
+                {{"radiance", cube.layer(i).radiance, gpu::Sampler::linear_clamp}, {"prefiltered", faces}});
+        }
+    return prefiltered;
+}
+
+gpu::Image tabulate_reflectance(Recorder& recorder) {
+    const std::uint32_t side = std::uint32_t(shared::ENVMAP_REFLECTANCE);
+    gpu::Image table = recorder.image({.width = side, .height = side, .format = VK_FORMAT_R32G32_SFLOAT},
+                                      "envmap reflectance");
+    recorder.dispatch("envmap/reflectance.comp", extent_of(table), Recorder::NoParams{},
+                      {{"reflectance", table}});
+    return table;
+}
+
 } // namespace
 
 EnvmapSenders find_senders(Recorder& recorder, const Frame& frame, const std::vector<CubeLayer>& probes,
@@ -96,6 +127,8 @@ EnvmapSenders find_senders(Recorder& recorder, const Frame& frame, const std::ve
         senders.convolved = convolve(recorder, cube);
     else
         senders.list = list_senders(recorder, cube, probes, options);
+    if (options.glossy)
+        senders.prefiltered = prefilter(recorder, cube), senders.reflectance = tabulate_reflectance(recorder);
     return senders;
 }
 

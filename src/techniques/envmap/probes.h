@@ -22,6 +22,8 @@ struct EnvmapSenders {
     gpu::Buffer list;     // vec4s, see ENVMAP_*; empty for the classic estimator
     gpu::Image convolved; // cube array, irradiance by normal; of the classic estimator
     gpu::Image distance;  // cube array, of the probes
+    // With EnvmapOptions::glossy: radiance by direction, a level for each roughness; and reflectance.comp's.
+    gpu::Image prefiltered, reflectance;
 };
 EnvmapSenders find_senders(gpu::Recorder& recorder, const Frame& frame, const std::vector<CubeLayer>& probes,
                            const EnvmapOptions& options);
