@@ -22,11 +22,13 @@ Scene sphere_in_box();
 Scene relief();
 // A tree, its leaves in blocks that are objects of their own, and a stone under the sun.
 Scene tree();
-// Ball with the role "dynamic ball" in the closed box [-1, 1]^3 of six colors, `distance` times its diameter
-// away from the face +x, from the edge to -y or from the corner to +z. Either black walls emit their color,
-// or eight lamps light them. Cameras: in the room, and from behind the wall +x onto the side that faces it.
-enum class BallPlace { face, edge, corner };
+// The closed box [-1, 1]^3 of six colors: either black walls emit their color, or eight lamps light them.
 enum class BallLight { walls, lamps };
+Scene color_room(BallLight light);
+// In it a ball with the role "dynamic ball", `distance` times its diameter
+// away from the face +x, from the edge to -y or from the corner to +z. Cameras: in the room, and from behind
+// the wall +x onto the side that faces it.
+enum class BallPlace { face, edge, corner };
 Scene ball_room(BallPlace place, float distance, BallLight light);
 // Replaces each triangle by 4^levels: same surface, more triangles.
 Scene subdivide(const Scene& scene, int levels);

@@ -39,14 +39,21 @@ void add_lamps(Scene& scene) {
 
 } // namespace
 
-Scene ball_room(BallPlace place, float distance, BallLight light) {
+Scene color_room(BallLight light) {
     Scene scene;
-    scene.name = "ball-room";
+    scene.name = "color-room";
     for (int face = 0; face < 6; ++face) add_wall(scene, face, light);
+    if (light == BallLight::lamps) add_lamps(scene);
+    scene.cameras = {camera_at({-0.9f, 0.45f, -0.7f}, glm::vec3(0.0f), 50.0f)};
+    return scene;
+}
+
+Scene ball_room(BallPlace place, float distance, BallLight light) {
+    Scene scene = color_room(light);
+    scene.name = "ball-room";
     const glm::vec3 center = ball_center(place, distance);
     add_sphere(add_object(scene, lambertian("ball", glm::vec3(0.8f))), center, radius, 96, 48);
     scene.instances.back().role = "dynamic ball";
-    if (light == BallLight::lamps) add_lamps(scene);
 
     // From behind the wall +x, which the near plane leaves out, onto the side of the ball that it lights.
     Camera behind = camera_at({3.0f, center.y, center.z}, center, 16.0f);

@@ -42,6 +42,8 @@ std::vector<Entry> base_entries() {
         {"metal-ring", "mirroring ring on a floor, point light", [] { return metal_ring(); }},
         {"glass-metal", "metal ring, glass sphere, mirror ball and drinking glass in a room, point light",
          [] { return glass_metal(); }},
+        {"color-room", "closed box of six colors, eight lamps, to place things in",
+         [] { return color_room(BallLight::lamps); }},
         {"mirror-box", "mirror sphere in a closed box of painted walls", [] { return mirror_box(); }},
         {"teapot-box", "mirroring pot that sees itself, in the same box", [] { return teapot_box(); }},
         {"ring", "gold ring in a room, spot light, 202 triangles", [] { return ring(); }},
