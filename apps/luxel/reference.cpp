@@ -33,6 +33,18 @@ Layers layers_of(const Estimate& estimate, const Image& sum) {
     return layers;
 }
 
+// Noise and bias of the components that hold photons.
+std::vector<std::pair<std::string, PhotonError>> errors_of_photons(const Estimate& estimate) {
+    std::vector<std::pair<std::string, PhotonError>> errors;
+    for (const char* name : {"caustics", "specular", "full"}) {
+        const bool alone = std::string_view(name) == "caustics";
+        if (!alone && !estimate.mean.contains("photon_bias")) continue;
+        const PhotonError error = photon_error(estimate, name);
+        if (error.noise > 0.0) errors.emplace_back(name, error);
+    }
+    return errors;
+}
+
 void run(Options options, const Global& global) {
     const Size size = parse_size(options.size);
     std::vector<std::vector<std::string>> sums;
@@ -63,20 +75,20 @@ void run(Options options, const Global& global) {
                    {"luxel.spp", fmt::format("{}", estimate.spp)},
                    {"luxel.seed", fmt::format("{}", options.reference.seed)}});
 
-    const CausticError caustics = caustic_error(estimate);
     nlohmann::ordered_json json = {{"scene", options.scene},
                                    {"view", request.camera.name},
                                    {"size", {size.width, size.height}},
                                    {"spp", estimate.spp},
                                    {"relative_error", relative_error(estimate)},
                                    {"output", options.output}};
-    if (caustics.noise > 0.0) json["caustics"] = {{"noise", caustics.noise}, {"bias", caustics.bias}};
+    const auto errors = errors_of_photons(estimate);
+    for (const auto& [name, e] : errors) json[name] = {{"noise", e.noise}, {"bias", e.bias}};
     if (global.json) return print_json(json);
     fmt::print("{}: {} of '{}', {} samples a pixel\n", options.output, fmt::join(sums[0], " + "),
                request.camera.name, estimate.spp);
-    if (caustics.noise > 0.0)
-        fmt::print("caustics: noise {:.1f} %, bias {:.1f} % of their root mean square\n",
-                   100.0 * caustics.noise, 100.0 * caustics.bias);
+    for (const auto& [name, e] : errors)
+        fmt::print("{}: noise {:.1f} %, bias {:.1f} % of its root mean square\n", name, 100.0 * e.noise,
+                   100.0 * e.bias);
 }
 
 } // namespace

@@ -41,7 +41,7 @@ std::vector<std::string> parse_components(std::string_view text) {
                 fail(Fault::usage, "component: '{}' counts the same light twice ({})", text, part);
         components.push_back(name);
     }
-    for (const char* no_light : {"ao", "caustics_bias"})
+    for (const char* no_light : {"ao", "caustics_bias", "photon_bias"})
         if (components.size() > 1 && seen.count(no_light))
             fail(Fault::usage, "component: '{}' adds {}, which is no radiance, to light", text, no_light);
     return components;

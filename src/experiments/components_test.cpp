@@ -21,7 +21,7 @@ std::string refusal(const std::string& text) {
 
 TEST(ComponentSums, AddDisjointPaths) {
     for (const char* text : {"direct+diffuse1", "direct+caustics", "direct+reflections+caustics+diffuse",
-                             "direct+diffuse+specular", "full", "ao", "caustics_bias"})
+                             "direct+diffuse+specular", "full", "ao", "caustics_bias", "photon_bias"})
         EXPECT_EQ(refusal(text), "") << text;
     EXPECT_EQ(parse_components("direct+caustics"), (std::vector<std::string>{"direct", "caustics"}));
 }

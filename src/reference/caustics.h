@@ -5,22 +5,17 @@
 // those of paths.
 #pragma once
 #include <functional>
-#include <vector>
 
-#include "reference/photon_map.h"
-#include "reference/photon_source.h"
-#include "reference/reference.h"
+#include "reference/photon_tracer.h"
 
 namespace luxel {
-
-// Radius of a pass over that of the first: the squares shrink by (i + alpha) / (i + 1) [Knaus2011, eq. 15],
-// with alpha = 2/3, for which variance and squared bias of the mean fall alike.
-float relative_photon_radius(int pass);
 
 class CausticTracer {
 public:
     // Keeps a reference to `rays`.
     CausticTracer(const RayCaster& rays, const ReferenceRequest& request);
+    CausticTracer(const CausticTracer&) = delete;
+    CausticTracer& operator=(const CausticTracer&) = delete;
 
     // sink(x, y, caustics, bias) for every pixel, from several threads, each pixel once. The same numbers for
     // the same pass, whatever came before.
@@ -28,19 +23,17 @@ public:
     void trace_pass(int pass, const Sink& sink) const;
 
 private:
-    PhotonMap trace_photons(int pass) const;
-    void trace_photon(int pass, int index, std::vector<Photon>& stored) const;
     bool may_be_seen(glm::vec3 position) const;
     void gather(const PhotonMap& map, int pass, int x, int y, const Sink& sink) const;
 
     const RayCaster* rays_;
     ReferenceSettings settings_;
-    PhotonSource source_;
     CameraBasis camera_;
     float near_, far_;
     int width_, height_;
     float pixel_; // its side, at distance 1
     float seen_;  // half extents of the image plus the largest radius, in half extents of the image
+    PhotonTracer photons_;
 };
 
 } // namespace luxel

@@ -251,12 +251,12 @@ TEST(Caustics, StateTheBiasOfTheirRadius) {
     scene.lights = {light_of(shared::LIGHT_POINT, {0.2f, 3, 0.1f}, {0, -1, 0}, 5.0f)};
     const RayCaster rays(scene);
     auto request = caustics_of(camera_on({0, 1.2f, 2.2f}, {0, 0, 0}, 0.7f), 32, 60000, 8);
-    std::vector<CausticError> stated;
+    std::vector<PhotonError> stated;
     std::vector<Image> shown;
     for (float radius : {4.0f, 2.0f, 0.7f}) {
         request.settings.photon_radius = radius;
         const Estimate e = render_reference(rays, request);
-        stated.push_back(caustic_error(e));
+        stated.push_back(photon_error(e));
         shown.push_back(e.mean.at("caustics"));
     }
     EXPECT_LT(stated[1].bias, 0.7 * stated[0].bias);

@@ -108,6 +108,10 @@ std::uint64_t content_key(const Scene& scene, const ReferenceRequest& request) {
         key.add(int(s.caustic_method)), key.add(s.specular_roughness);
         key.add(s.photons), key.add(s.photon_radius);
     }
+    if (asks_for("full") || asks_for("specular")) {
+        key.add(int(s.photon_lights));
+        if (s.photon_lights != PhotonLights::none) key.add(s.photons), key.add(s.photon_radius);
+    }
     return key.value();
 }
 

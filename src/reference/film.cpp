@@ -20,6 +20,7 @@ glm::vec3 component_of(const PathSample& sample, const std::string& name) {
     if (name == "reflections") return sample.reflections;
     if (name == "caustics") return sample.caustics;
     if (name == "full") return sample.full();
+    if (name == "photon_bias") return sample.photon_bias;
     LUXEL_ASSERT(name == "ao", "component {}", name);
     return glm::vec3(sample.ao);
 }

@@ -80,6 +80,7 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     path.caustic *= path.vertex == 1 ? sample.diffuse : by_specular;
     path.pdf = sample.pdf;
     path.ideal = sample.ideal;
+    path.after_smooth |= !sample.ideal;
     bool can_meet_light =
         (lights_.has_emitters() || lights_.has_environment()) && is_wanted(path, path.ideal);
     if (path.beta == glm::vec3(0.0f) || !(can_meet_light || more_is_wanted(path))) return false;
@@ -107,15 +108,17 @@ void PathTracer::send(Path& path, const FirstVertex* known) const {
         path.hit = known->hit, path.found = known->found;
     else
         path.found = intersect(path.ray, path.hit);
+    if (path.found) path.length += path.hit.t;
 }
 
-Path PathTracer::start(int x, int y, int sample, const FirstVertex* first) const {
+Path PathTracer::start(int x, int y, int sample, const FirstVertex* first, const PhotonPass* photons) const {
     const shared::uint pixel = shared::uint(y) * shared::uint(width_) + shared::uint(x);
     Path path{Random(pixel, shared::uint(sample), shared::uint(settings_.seed))};
     glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : path.random.next2();
     path.ray = camera_ray(glm::vec2(x, y) + jitter);
     path.from = path.ray.origin;
     path.first = first;
+    path.photons = photons;
     send(path, first);
     return path;
 }
@@ -123,7 +126,9 @@ Path PathTracer::start(int x, int y, int sample, const FirstVertex* first) const
 // What the ray meets was sent by the last vertex: by an ideal lobe, or it is the other half of the light that
 // this vertex reflects straight from its sources.
 void PathTracer::add_met(Path& path, glm::vec3 met) const {
-    path.add(path.beta * met, path.diffuse * met, path.ideal);
+    const bool by_photons =
+        path.photons && settings_.photon_lights == PhotonLights::all && path.ideal && path.after_smooth;
+    if (!by_photons) path.add(path.beta * met, path.diffuse * met, path.ideal);
     if (is_reflection(path.ideal ? path.vertex : path.vertex - 1))
         path.result.reflections += (path.ideal ? path.reflected : path.reflected_smooth) * met;
     if (path.vertex >= 2) path.result.caustics += path.caustic * met;
@@ -134,6 +139,14 @@ void PathTracer::add_lit(Path& path, const Surface& surface, const BsdfValue& li
     if (is_reflection(path.vertex - 1)) path.result.reflections += path.reflected * lit.sum();
     if (path.vertex >= 2 && has_specular_ggx(surface, settings_.specular_roughness))
         path.result.caustics += path.caustic * lit.specular;
+}
+
+// Light that passed mirrors or glass on its way from the lights to this surface.
+void PathTracer::add_photons(Path& path, const ShadingPoint& point) const {
+    if (!path.photons) return;
+    const PhotonLight light = reflected_photons(path.photons->map, point, path.photons->radius * path.length);
+    path.result.specular += path.beta * light.whole;
+    path.result.photon_bias += path.beta * light.bias;
 }
 
 // Past all surfaces there is the environment.
@@ -177,6 +190,7 @@ void PathTracer::step(Path& path) const {
     if (lambertian && path.vertex > 1) surface = lambertian_part(surface);
     ShadingPoint point(surface, path.ray.direction);
     if (path.vertex == 1) add_first_vertex(point, path.random, path.result);
+    if (path.vertex <= settings_.max_bounces + 1) add_photons(path, point);
     const bool lit_is_wanted = path.vertex <= settings_.max_bounces + 1 && is_wanted(path, false);
     if (!lit_is_wanted && !more_is_wanted(path)) return;
 
@@ -208,7 +222,7 @@ void PathTracer::follow(std::span<Path> paths) const {
 }
 
 PathSample PathTracer::trace(int x, int y, int sample) const {
-    Path path = start(x, y, sample, nullptr);
+    Path path = start(x, y, sample, nullptr, nullptr);
     follow({&path, 1});
     return path.result;
 }

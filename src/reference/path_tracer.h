@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/light_sampler.h"
+#include "reference/photon_tracer.h"
 #include "reference/reference.h"
 
 namespace luxel {
@@ -15,7 +16,7 @@ namespace luxel {
 // Radiance of one path, by component.
 struct PathSample {
     glm::vec3 direct{0.0f}, diffuse1{0.0f}, diffuse1_unoccluded{0.0f}, diffuse{0.0f}, specular{0.0f},
-        reflections{0.0f}, caustics{0.0f};
+        reflections{0.0f}, caustics{0.0f}, photon_bias{0.0f};
     float ao = 0.0f;
     glm::vec3 full() const { return direct + diffuse + specular; }
 };
@@ -71,14 +72,17 @@ struct Path {
     bool found = false;      // if it meets a surface
     std::size_t emitter = 0; // chosen for the surface that the ray meets
     PathSample result;
-    int vertex = 0;                   // surfaces met so far
-    glm::vec3 beta{1.0f};             // throughput of all lobes
-    glm::vec3 diffuse{1.0f};          // throughput if every vertex so far reflected by its Lambertian lobe
-    glm::vec3 reflected{1.0f};        // throughput if all vertices so far had been specular (see bsdf.h)
-    glm::vec3 reflected_smooth{0.0f}; // the same, but all smooth lobes of the last one
-    glm::vec3 caustic{1.0f};          // throughput if the first was Lambertian, all others specular
-    bool ideal = false;               // the lobe that sent the present ray
-    float pdf = 0.0f;                 // of the present ray, where the lobe was smooth
+    int vertex = 0;                      // surfaces met so far
+    glm::vec3 beta{1.0f};                // throughput of all lobes
+    glm::vec3 diffuse{1.0f};             // throughput if every vertex so far reflected by its Lambertian lobe
+    glm::vec3 reflected{1.0f};           // throughput if all vertices so far had been specular (see bsdf.h)
+    glm::vec3 reflected_smooth{0.0f};    // the same, but all smooth lobes of the last one
+    glm::vec3 caustic{1.0f};             // throughput if the first was Lambertian, all others specular
+    bool ideal = false;                  // the lobe that sent the present ray
+    bool after_smooth = false;           // a smooth lobe sent an earlier one, or this one
+    const PhotonPass* photons = nullptr; // of this sample, where there are any
+    float length = 0.0f;                 // of the way from the camera
+    float pdf = 0.0f;                    // of the present ray, where the lobe was smooth
 
     // Light that the last of `vertex` surfaces sends along the path: `all` lobes of it, `lambert` its diffuse
     // part, the throughputs of what lies before included; `by_ideal_lobe`: of mirror or glass.
@@ -105,8 +109,10 @@ public:
 
     PathSample trace(int x, int y, int sample) const;
 
-    // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order.
-    template <class Sink> void trace_samples(int x, int y, int first, int count, Sink&& sink) const {
+    // sink(sample, PathSample) for `count` samples of a pixel from `first` on, in order; with a pass of
+    // photons for each sample, or none.
+    template <class Sink> void trace_samples(int x, int y, int first, int count,
+                                             std::span<const PhotonPass> photons, Sink&& sink) const {
         std::optional<FirstVertex> shared;
         if (settings_.pixel_center) shared = first_vertex(x, y);
         std::vector<Path> paths;
@@ -114,7 +120,8 @@ public:
         for (int done = 0; done < count; done += int(paths.size())) {
             paths.clear();
             for (int i = done; i < std::min(count, done + paths_side_by_side); ++i)
-                paths.push_back(start(x, y, first + i, shared ? &*shared : nullptr));
+                paths.push_back(start(x, y, first + i, shared ? &*shared : nullptr,
+                                      photons.empty() ? nullptr : &photons[std::size_t(i)]));
             follow(paths);
             for (std::size_t i = 0; i < paths.size(); ++i) sink(first + done + int(i), paths[i].result);
         }
@@ -144,15 +151,17 @@ private:
     // Of more, so many are drawn at the first vertex, whose noise is seen directly, and at each later one.
     static constexpr int first_draws = 4, later_draws = 2;
 
-    Path start(int x, int y, int sample, const FirstVertex* first) const; // up to the first hit
-    void follow(std::span<Path> paths) const;                             // to their ends
-    void step(Path& path) const;                                          // past one surface
-    void send(Path& path, const FirstVertex* known = nullptr) const;      // along its ray
+    Path start(int x, int y, int sample, const FirstVertex* first,
+               const PhotonPass* photons) const;                     // up to the first hit
+    void follow(std::span<Path> paths) const;                        // to their ends
+    void step(Path& path) const;                                     // past one surface
+    void send(Path& path, const FirstVertex* known = nullptr) const; // along its ray
     void finish(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;
     BsdfValue lit_by_lights(Path& path, const ShadingPoint& point) const;
     void add_met(Path& path, glm::vec3 met) const; // emission that the path's ray meets
     void add_lit(Path& path, const Surface& surface, const BsdfValue& lit) const;
+    void add_photons(Path& path, const ShadingPoint& point) const;
     bool is_reflection(int specular_vertices) const {
         return specular_vertices >= 1 && specular_vertices <= settings_.specular_depth;
     }

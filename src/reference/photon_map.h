@@ -11,8 +11,9 @@ namespace luxel {
 
 struct Photon {
     glm::vec3 position;
-    glm::vec3 normal; // unit geometric normal, on the side that the light came from
-    glm::vec3 power;  // W
+    glm::vec3 normal;    // unit geometric normal, on the side that the light came from
+    glm::vec3 direction; // unit, where the light came from
+    glm::vec3 power;     // W
 };
 
 class PhotonMap {

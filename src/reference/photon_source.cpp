@@ -15,10 +15,17 @@ constexpr std::size_t most_rays = 1u << 20; // of the first look
 constexpr int lights_for_area = 32;         // that stand for emitters and for the environment in it
 constexpr std::size_t tests_a_light = 4;    // of a triangle, where there are few triangles
 
-// Textures can only lower a material's roughness and transmission.
-bool may_be_specular(const Material& m, float specular_roughness) {
-    return m.transmission > 0.0f || m.roughness <= specular_roughness ||
-           m.metallic_roughness_texture.texture >= 0;
+// Textures only lower factors: what the smoothest texel and the most metallic one make of the material.
+bool may_be_specular(const Scene& scene, const Material& m, float specular_roughness) {
+    float roughness = m.roughness, metallic = m.metallic;
+    if (const int texture = m.metallic_roughness_texture.texture; texture >= 0) {
+        const std::vector<std::uint8_t>& rgba = scene.textures[std::size_t(texture)].pixels.rgba;
+        int smoothest = 255, metal = 0;
+        for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+            smoothest = std::min(smoothest, int(rgba[i + 1])), metal = std::max(metal, int(rgba[i + 2]));
+        roughness *= float(smoothest) / 255.0f, metallic *= float(metal) / 255.0f;
+    }
+    return m.transmission > 0.0f || shared::is_mirror(metallic, roughness) || roughness <= specular_roughness;
 }
 
 // Uniform on the triangle [Turk1990].
@@ -29,19 +36,28 @@ glm::vec2 on_triangle(glm::vec2 u) {
 
 } // namespace
 
-PhotonSource::PhotonSource(const RayCaster& rays, float specular_roughness)
-    : rays_(&rays), scene_(&rays.scene()), specular_roughness_(specular_roughness), lights_(rays.scene()) {
+PhotonSource::PhotonSource(const RayCaster& rays, float specular_roughness, bool only_punctual)
+    : rays_(&rays), scene_(&rays.scene()), specular_roughness_(specular_roughness),
+      only_punctual_(only_punctual), lights_(rays.scene()) {
     find_targets();
-    const bool lit = lights_.punctual_count() > 0 || lights_.has_emitters() || lights_.has_environment();
-    if (!lit) targets_.clear();
+    const auto kinds = kinds_there();
+    if (std::none_of(kinds.begin(), kinds.end(), [](bool there) { return there; })) targets_.clear();
     if (!targets_.empty()) look_at_targets();
 }
 
+std::array<bool, PhotonSource::kind_count> PhotonSource::kinds_there() const {
+    return {lights_.punctual_count() > 0, !only_punctual_ && lights_.has_emitters(),
+            !only_punctual_ && lights_.has_environment()};
+}
+
 void PhotonSource::find_targets() {
+    std::vector<bool> specular;
+    for (const Material& m : scene_->materials)
+        specular.push_back(may_be_specular(*scene_, m, specular_roughness_));
     for (std::uint32_t i = 0; i < scene_->instances.size(); ++i) {
         const Instance& instance = scene_->instances[i];
         const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
-        if (!may_be_specular(scene_->materials[std::size_t(mesh.material)], specular_roughness_)) continue;
+        if (!specular[std::size_t(mesh.material)]) continue;
         const float winding = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
         for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
             const ShadingTriangle s = shading_triangle(*scene_, i, t);
@@ -61,12 +77,13 @@ struct LookLight {
     int kind;
 };
 
-std::vector<LookLight> lights_to_look_from(const Scene& scene) {
+std::vector<LookLight> lights_to_look_from(const Scene& scene, bool only_punctual) {
     std::vector<LookLight> lights;
     const auto add = [&](const std::vector<shared::Light>& some, int kind) {
         for (const shared::Light& light : some) lights.push_back({light, kind});
     };
     add(scene.lights, 0);
+    if (only_punctual) return lights;
     add(emitter_sample_lights(scene, lights_for_area, 1), 1);
     if (!scene.environment.empty()) add(environment_sample_lights(scene.environment, lights_for_area, 1), 2);
     return lights;
@@ -93,7 +110,7 @@ double PhotonSource::sent_on(const Target& target, glm::vec2 uv, const shared::L
 }
 
 void PhotonSource::look_at_targets() {
-    const std::vector<LookLight> lights = lights_to_look_from(*scene_);
+    const std::vector<LookLight> lights = lights_to_look_from(*scene_, only_punctual_);
     std::vector<ByKind> sent(targets_.size());
     if (!lights.empty()) {
         // Points of each triangle, each asked for one of the lights.
@@ -130,8 +147,7 @@ void PhotonSource::set_chances(const std::vector<ByKind>& sent) {
         targets_[i].chance = float(chance);
         cumulative_.push_back(sum += chance);
     }
-    const bool exists[kind_count] = {lights_.punctual_count() > 0, lights_.has_emitters(),
-                                     lights_.has_environment()};
+    const auto exists = kinds_there();
     const double kinds = double(exists[0]) + double(exists[1]) + double(exists[2]);
     for (std::size_t k = 0; k < kind_count; ++k)
         if (exists[k]) kind_chance_[k] = float((1.0 - placed) / kinds + scale * by_kind[k]);

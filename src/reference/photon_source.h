@@ -23,7 +23,8 @@ public:
     // Keeps a reference to `rays` and its scene. A first look at all that may be specular tells how much
     // light each triangle would send on; photons are drawn by that, and some by area for what the look has
     // missed.
-    PhotonSource(const RayCaster& rays, float specular_roughness);
+    // only_punctual: of no emitter and no environment.
+    PhotonSource(const RayCaster& rays, float specular_roughness, bool only_punctual);
 
     bool empty() const { return targets_.empty(); }
     // The mean of what photons carry is the light that leaves specular surfaces which lights reach directly.
@@ -48,6 +49,7 @@ private:
     LightArrival arrival(Kind kind, glm::vec3 position, glm::vec3 normal, Random& random) const;
     LightArrival one_punctual(glm::vec3 position, glm::vec3 normal, float u) const;
 
+    std::array<bool, kind_count> kinds_there() const;
     void find_targets();
     void look_at_targets();
     double sent_on(const Target& target, glm::vec2 uv, const shared::Light& from) const;
@@ -56,6 +58,7 @@ private:
     const RayCaster* rays_;
     const Scene* scene_;
     float specular_roughness_;
+    bool only_punctual_;
     LightSampler lights_;
     std::vector<Target> targets_;
     std::vector<double> cumulative_; // chances up to and with target i

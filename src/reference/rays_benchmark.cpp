@@ -34,7 +34,7 @@ float trace_tile(const PathTracer& tracer, std::size_t index) {
     const int left = int(index) % (width / tile) * tile, top = int(index) / (width / tile) * tile;
     for (int y = top; y < top + tile; ++y)
         for (int x = left; x < left + tile; ++x)
-            tracer.trace_samples(x, y, 0, samples, [&](int, const PathSample& s) { sum += s.full().g; });
+            tracer.trace_samples(x, y, 0, samples, {}, [&](int, const PathSample& s) { sum += s.full().g; });
     return sum;
 }
 

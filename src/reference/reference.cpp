@@ -24,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 constexpr int tile_side = 16;
 constexpr int pass_samples = 32;          // the error target is looked at so often: independent of the clock
 constexpr double checkpoint_seconds = 30; // at most so much work is lost
+constexpr int photons_at_once = 1 << 21;  // traced before the samples that look at them
+constexpr int passes_at_once = 8;
+constexpr int runs_for_variance = 8;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -58,17 +61,35 @@ template <class Body> void for_each_pixel(int width, int height, Body&& body) {
 }
 
 // Components once each: a name given twice is one layer. Photons never come without what their radius does.
-std::vector<std::string> unique(const ReferenceRequest& request) {
+std::vector<std::string> unique(const ReferenceRequest& request, bool with_photons) {
     const bool photons = request.settings.caustic_method == CausticMethod::photons;
     std::vector<std::string> result;
     for (const std::string& name : component_names)
         if (contains(request.components, name) ||
-            (name == "caustics_bias" && photons && contains(request.components, "caustics")))
+            (name == "caustics_bias" && photons && contains(request.components, "caustics")) ||
+            (name == "photon_bias" && with_photons))
             result.push_back(name);
     return result;
 }
 
-// What photons are traced for.
+// The photons of `full` and `specular`, if there are any: past ideal lobes alone, as paths find all that
+// others send on.
+std::optional<PhotonTracer> photons_for_paths(const RayCaster& rays, const ReferenceRequest& request) {
+    constexpr shared::uint seed = 0x66756c6cu; // parts them from those of caustics
+    const PhotonLights lights = request.settings.photon_lights;
+    if (lights == PhotonLights::none ||
+        !(contains(request.components, "full") || contains(request.components, "specular")))
+        return std::nullopt;
+    const auto is_kept = [](const Surface& surface) {
+        return surface.brdf.diffuse != glm::vec3(0.0f) ||
+               (surface.brdf.f0 + surface.brdf.f90 != glm::vec3(0.0f) &&
+                !shared::is_mirror(surface.metallic, surface.roughness));
+    };
+    PhotonTracer tracer(rays, request.settings, {-1.0f, lights == PhotonLights::punctual, seed, is_kept});
+    return tracer.empty() ? std::nullopt : std::optional(std::move(tracer));
+}
+
+// What photons alone are traced for.
 std::vector<std::string> photon_components(const ReferenceRequest& request) {
     std::vector<std::string> names;
     for (const std::string& name : request.components)
@@ -92,6 +113,27 @@ void add_photons(const CausticTracer& tracer, const std::vector<std::string>& co
         });
 }
 
+// Camera paths for `count` samples of every pixel, each with a pass of photons of its own.
+void add_paths(const PathTracer& tracer, const std::optional<PhotonTracer>& photons,
+               const ReferenceRequest& request, int first, int count, Film& film) {
+    const ReferenceSettings& settings = request.settings;
+    const float pixel = 2.0f * std::tan(request.camera.yfov / 2.0f) / float(request.height);
+    const int block =
+        photons ? std::clamp(photons_at_once / settings.photons, 1, passes_at_once) : std::max(count, 1);
+    std::vector<PhotonPass> passes;
+    for (int begin = first, end = first + count; begin < end; begin += block) {
+        const int samples = std::min(block, end - begin);
+        passes.clear();
+        for (int i = 0; photons && i < samples; ++i)
+            passes.push_back({photons->trace(begin + i),
+                              settings.photon_radius * relative_photon_radius(begin + i) * pixel});
+        for_each_pixel(request.width, request.height, [&](int x, int y) {
+            tracer.trace_samples(x, y, begin, samples, passes,
+                                 [&](int s, const PathSample& value) { film.add(x, y, s, value); });
+        });
+    }
+}
+
 // Samples of the next pass: whole blocks between looks at the error; single samples where the clock decides.
 int next_pass(const ReferenceSettings& settings, int spp) {
     int block = settings.seconds > 0.0f ? 1 : pass_samples - spp % pass_samples;
@@ -113,6 +155,8 @@ void ReferenceSettings::visit(Visitor& v) {
     v.integer("specular_depth", specular_depth, {1, 1 << 20}, "most specular vertices of reflections");
     v.real("specular_roughness", specular_roughness, {0, 1}, "up to here the GGX lobe counts as specular");
     v.choice("caustic_method", caustic_method, caustic_method_names, "how caustics are computed");
+    v.choice("photon_lights", photon_lights, photon_lights_names,
+             "lights that reach full and specular as photons through mirrors and glass");
     v.integer("photons", photons, {1, 1 << 28}, "photons of a pass, which is a sample of every pixel");
     v.real("photon_radius", photon_radius, {1e-3, 1e3}, "radius of the photons in the first pass, pixels");
 }
@@ -150,19 +194,20 @@ Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int h
 }
 
 // Products of independent groups have no noise in their mean: what is left is the square of the bias itself.
-CausticError caustic_error(const Estimate& estimate) {
-    const auto found = estimate.mean.find("caustics");
+PhotonError photon_error(const Estimate& estimate, const std::string& component) {
+    const auto found = estimate.mean.find(component);
     if (found == estimate.mean.end()) return {};
+    const std::string of_radius = component == "caustics" ? "caustics_bias" : "photon_bias";
     double level = 0.0, noise = 0.0, bias = 0.0; // squares
     for (int y = 0; y < estimate.height; ++y)
         for (int x = 0; x < estimate.width; ++x) {
             const double mean = double(luminance(found->second.rgb(x, y)));
-            const double error = double(luminance(glm::sqrt(estimate.variance.at("caustics").rgb(x, y))));
+            const double error = double(luminance(glm::sqrt(estimate.variance.at(component).rgb(x, y))));
             level += mean * mean, noise += error * error;
-            if (!estimate.mean.contains("caustics_bias")) continue;
+            if (!estimate.mean.contains(of_radius)) continue;
             double all = 0.0, squares = 0.0;
             for (const Layers& group : estimate.group) {
-                const double b = double(luminance(group.at("caustics_bias").rgb(x, y)));
+                const double b = double(luminance(group.at(of_radius).rgb(x, y)));
                 all += b, squares += b * b;
             }
             bias += (all * all - squares) / double(sample_groups * (sample_groups - 1));
@@ -174,7 +219,8 @@ CausticError caustic_error(const Estimate& estimate) {
 Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) {
     check(asked);
     ReferenceRequest request = asked;
-    request.components = unique(asked);
+    const std::optional<PhotonTracer> photons = photons_for_paths(rays, asked);
+    request.components = unique(asked, photons.has_value());
     const ReferenceSettings& settings = request.settings;
     PathTracer tracer(rays, request);
     const std::vector<std::string> by_photons = photon_components(request);
@@ -204,10 +250,7 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
     while (spp < settings.spp) {
         const int count = next_pass(settings, spp);
         if (by_photons.size() < request.components.size())
-            for_each_pixel(request.width, request.height, [&](int x, int y) {
-                tracer.trace_samples(x, y, spp, count,
-                                     [&](int s, const PathSample& value) { film.add(x, y, s, value); });
-            });
+            add_paths(tracer, photons, request, spp, count, film);
         if (caustics) add_photons(*caustics, request.components, spp, count, film);
         spp += count;
         progress.update(double(spp) / settings.spp);
@@ -220,6 +263,10 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
 
     Estimate estimate = film.estimate(spp);
     estimate.mask = surface_mask(rays, request.camera, request.width, request.height);
+    if (photons && spp < runs_for_variance)
+        estimate.warnings.push_back(
+            fmt::format("reference: the variance of {} passes of photons says little, at least {} do", spp,
+                        runs_for_variance));
     if (!found.warning.empty()) estimate.warnings.push_back(found.warning);
     return estimate;
 }

@@ -34,12 +34,14 @@ namespace luxel {
 //   caustics_bias        what the photons' radius adds to `caustics`, signed, estimated from two radii; comes
 //                        along with it
 //   full                 everything
+//   photon_bias          what the photons' radius adds to `full` and `specular`, signed; comes along where
+//                        they hold photons, see PhotonLights
 //   ao                   cosine-weighted occlusion-free share, radius R, see Membership; 1 = open
 // Specular (S) are mirrors, glass, and the GGX lobe where the roughness is at most specular_roughness.
 // Pixels that see no surface: direct and full hold the environment's radiance; the others 0.
 inline const std::vector<std::string> component_names = {
-    "direct",      "diffuse1", "diffuse1_unoccluded", "diffuse", "specular",
-    "reflections", "caustics", "caustics_bias",       "full",    "ao"};
+    "direct",   "diffuse1",      "diffuse1_unoccluded", "diffuse", "specular", "reflections",
+    "caustics", "caustics_bias", "photon_bias",         "full",    "ao"};
 
 // How far an occluder at distance d < R leaves its direction open: 0, sqrt(d/R), (d/R)^3. tangent: the open
 // share of the sphere of radius R/2 that touches the surface, whose chord is R cos: (d/(R cos))^3 with cos^3
@@ -50,6 +52,12 @@ inline const std::vector<std::string> membership_names = {"step", "sqrt", "cubic
 // paths: unbiased, but blind to point lights and noisy with small ones.
 enum class CausticMethod { photons, paths };
 inline const std::vector<std::string> caustic_method_names = {"photons", "paths"};
+
+// Whose light comes to `full` and `specular` as photons where it leaves a mirror or glass for another lobe:
+// that of punctual lights, which no path can find there; of all lights, biased but less noisy where lamps are
+// small; or of none, which leaves out what paths cannot find.
+enum class PhotonLights { punctual, all, none };
+inline const std::vector<std::string> photon_lights_names = {"punctual", "all", "none"};
 
 struct ReferenceSettings {
     int spp = 64;         // upper bound
@@ -64,6 +72,7 @@ struct ReferenceSettings {
     int specular_depth = 8;          // of `reflections`
     float specular_roughness = 0.2f; // up to here a GGX lobe counts as specular
     CausticMethod caustic_method = CausticMethod::photons;
+    PhotonLights photon_lights = PhotonLights::punctual;
     int photons = 200000;       // a pass; every sample of the pixels is a pass
     float photon_radius = 1.0f; // pixels, of the first pass
     void visit(Visitor& v);
@@ -85,13 +94,13 @@ struct Estimate {
 // first component where full is absent.
 double relative_error(const Estimate& estimate);
 
-// How far `caustics` is off, as root mean squares over the pixels, in luminance, relative to that of the
-// image itself: by noise, and by the radius of the photons (0 where paths were traced), whose own noise is
-// taken out.
-struct CausticError {
+// How far `component` (caustics, full or specular) is off, as root mean squares over the pixels, in
+// luminance, relative to that of the image itself: by noise, and by the radius of the photons (0 where paths
+// were traced), whose own noise is taken out.
+struct PhotonError {
     double noise = 0, bias = 0;
 };
-CausticError caustic_error(const Estimate& estimate);
+PhotonError photon_error(const Estimate& estimate, const std::string& component = "caustics");
 
 struct ReferenceRequest {
     std::vector<std::string> components; // of component_names
