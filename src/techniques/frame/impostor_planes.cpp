@@ -17,6 +17,7 @@ namespace {
 
 // A bound on time and memory; each further normal is one more to choose from, no plane depends on it.
 constexpr int most_normals = 1024;
+constexpr double least_sine = 1e-8; // of a triangle's angles; below it is a line, which no view shows
 constexpr float least_share = 0.5f; // of a triangle's area on its plane
 
 struct Triangle {
@@ -122,10 +123,14 @@ std::vector<ImpostorPlane> choose_planes(const std::vector<glm::vec3>& corners, 
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         Triangle& t = triangles[i];
         for (std::size_t k = 0; k < 3; ++k) t.corner[k] = corners[3 * i + k] - center;
-        const glm::vec3 n = glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]);
-        const float length = glm::length(n);
-        t.area = 0.5f * length;
-        if (length > 0.0f) t.normal = n / length, left.push_back(std::uint32_t(i));
+        // In double precision: a sliver's normal would be noise, and its own plane might miss it.
+        const glm::dvec3 a(t.corner[0]), u = glm::dvec3(t.corner[1]) - a, v = glm::dvec3(t.corner[2]) - a;
+        const glm::dvec3 n = glm::cross(u, v);
+        const double length = glm::length(n);
+        t.area = float(0.5 * length);
+        if (length <= least_sine * std::max(glm::dot(u, u), glm::dot(v, v))) continue;
+        t.normal = glm::vec3(n / length);
+        left.push_back(std::uint32_t(i));
     }
     std::stable_sort(left.begin(), left.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return triangles[a].area > triangles[b].area; });

@@ -16,7 +16,7 @@ struct ImpostorPlane {
     std::vector<std::uint32_t> triangles;
 };
 
-// Together the planes have every triangle that has an area. corners: three for each triangle.
+// Together the planes have every triangle that is more than a line. corners: three for each triangle.
 std::vector<ImpostorPlane> choose_planes(const std::vector<glm::vec3>& corners, float distance);
 
 } // namespace luxel

@@ -2,6 +2,7 @@
 // Billboard clouds: every triangle has a plane, and no plane has a triangle beyond the distance.
 #include "techniques/frame/impostor_planes.h"
 
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,26 @@ TEST(ImpostorPlanes, ASphereHasFewerForALargerDistance) {
         EXPECT_LE(float(count), 6.0f / distance) << distance;
         before = count;
     }
+}
+
+// Needles, whose normals single precision cannot tell, and a point.
+TEST(ImpostorPlanes, SliversHaveThemToo) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+    Mesh needles;
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 a(unit(random), unit(random), unit(random)),
+            b(unit(random), unit(random), unit(random));
+        const glm::vec3 aside =
+            glm::vec3(unit(random), unit(random), unit(random)) * std::pow(10.0f, -float(i % 7));
+        for (glm::vec3 p : {a, b, glm::mix(a, b, 0.3f) + aside}) {
+            needles.indices.push_back(std::uint32_t(needles.positions.size()));
+            needles.positions.push_back(p);
+        }
+    }
+    needles.indices.insert(needles.indices.end(), {0, 0, 0});
+    EXPECT_GT(checked_planes(needles, 1e-3f).size(), 50u);
+    EXPECT_LT(checked_planes(needles, 0.3f).size(), 50u);
 }
 
 TEST(ImpostorPlanes, LeavesShareThem) {

@@ -40,7 +40,7 @@ std::optional<shared::ViewParams> impostor_view(const Bounds& bounds, const shar
         half = std::max({half, std::abs(glm::dot(p, right)) / z, std::abs(glm::dot(p, up)) / z});
         nearest = std::min(nearest, z);
     }
-    if (half > 1.0f) return std::nullopt;
+    if (!(half > 0.0f) || half > 1.0f) return std::nullopt;
     half *= float(size) / float(size - 2);
     return view_params({camera.position, forward, right * half, up * half}, nearest,
                        std::numeric_limits<float>::max(), glm::vec2(float(size)));

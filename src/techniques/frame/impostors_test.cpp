@@ -318,6 +318,26 @@ TEST_F(ImpostorsTest, CapturesShowMeshesAndNothingBehindAnImpostor) {
     EXPECT_GT(wall, 1000);
 }
 
+// Bounces of light and mirror images start at the impostors' surfaces as they do at the meshes'.
+TEST_F(ImpostorsTest, TechniquesTakeANailboardForTheMesh) {
+    for (const char* use : {"isr:samples=24", "distance_map:size=64"}) {
+        Image images[2];
+        for (bool nailboard : {false, true}) {
+            auto technique = make_technique(parse_specification(use));
+            const Scene scene =
+                with_impostor(balls(), {.kind = nailboard ? ImpostorKind::nailboard : ImpostorKind::none});
+            RenderRequest r = request(scene);
+            r.techniques = {technique.get()};
+            images[nailboard] = Renderer(gpu(), scene, FrameOptions{}).render(r).radiance;
+        }
+        double difference = 0.0, sum = 0.0;
+        for (std::size_t i = 0; i < images[0].data.size(); ++i)
+            difference += double(std::abs(images[0].data[i] - images[1].data[i])),
+                sum += double(images[0].data[i]);
+        EXPECT_LT(difference / sum, 0.03) << use;
+    }
+}
+
 // The height map of a wall: its nailboard has the relief that the technique found, and loses it without one.
 TEST_F(ImpostorsTest, ANailboardKeepsAReliefAndFollowsItsSearch) {
     const Scene scene = relief();
