@@ -6,7 +6,7 @@
 namespace luxel {
 
 // D32F: what `capture` would have as hardware_depth if it drew these instances only (one entry for each of
-// the scene's). A pixel with a surface shows one of them where both are equal.
+// the scene's). A pixel with a surface shows one of them where both agree: object_depth.glsl.
 gpu::Image object_depth(gpu::Recorder& recorder, const Capture& capture, const std::vector<bool>& drawn);
 
 } // namespace luxel

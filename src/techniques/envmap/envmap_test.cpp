@@ -247,6 +247,22 @@ TEST_F(EnvmapTest, ObjectsLightEachOtherButNotThemselves) {
     EXPECT_NEAR(right.r / left.g, 1.0f, 0.02f);
 }
 
+TEST_F(EnvmapTest, LightsReliefsWhereTheyAre) {
+    Scene scene = relief();
+    for (Instance& instance : scene.instances) instance.role = "dynamic ground";
+    Session s = session(scene, "size=16,texels=2");
+    auto surface = make_technique(parse_specification("relief"));
+    s.request.techniques.push_back(surface.get());
+    const RenderResult result = s.frame();
+    int seen = 0, missing = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            if (*result.images.at("depth").at(x, y) > 0.0f)
+                ++seen, missing += result.images.at("envmap radiance").at(x, y)[3] == 0.0f;
+    EXPECT_GT(seen, 1000);
+    EXPECT_LT(missing, seen / 100);
+}
+
 TEST_F(EnvmapTest, LightsObjectsOnlyUnlessThereIsAGrid) {
     Scene scene = sphere_in_box(); // without roles
     EXPECT_EQ(spread_of(session(scene, "size=16").light()).most, -1e30f);

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/form_factor.h"
+#include "techniques/common/object_depth.glsl"
 #include "techniques/envmap/envmap_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -72,7 +73,7 @@ void main() {
     float z = texelFetch(depth, pixel, 0).r;
     if (z <= 0.0) return;
 #ifndef GRID
-    if (texelFetch(object_depth, pixel, 0).r != texelFetch(hardware_depth, pixel, 0).r) return;
+    if (!shows_object(texelFetch(object_depth, pixel, 0).r, texelFetch(hardware_depth, pixel, 0).r)) return;
 #endif
     vec3 x = world_position(p.view, vec2(pixel) + 0.5, z);
     vec3 e = irradiance_here(x, normalize(texelFetch(normal, pixel, 0).xyz));

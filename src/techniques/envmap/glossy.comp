@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "techniques/common/object_depth.glsl"
 #include "techniques/envmap/envmap_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,7 +24,7 @@ void main() {
     if (pixel.x >= int(p.view.width) || pixel.y >= int(p.view.height)) return;
     float z = texelFetch(depth, pixel, 0).r;
     if (z <= 0.0 || texelFetch(direct, pixel, 0).a != 0.0) return;
-    if (texelFetch(object_depth, pixel, 0).r != texelFetch(hardware_depth, pixel, 0).r) return;
+    if (!shows_object(texelFetch(object_depth, pixel, 0).r, texelFetch(hardware_depth, pixel, 0).r)) return;
 
     vec3 wo = normalize(p.view.position - world_position(p.view, vec2(pixel) + 0.5, z));
     vec3 n = normalize(texelFetch(normal, pixel, 0).xyz);

@@ -6,9 +6,9 @@
 
 #include "core/error.h"
 #include "shared/sampling.h"
-#include "techniques/frame/displaced_params.h"
 #include "techniques/frame/esm_params.h"
 #include "techniques/frame/projection.h"
+#include "techniques/frame/scene_depth.h"
 
 namespace luxel {
 namespace {
@@ -80,41 +80,6 @@ gpu::Image first_layers(gpu::Image array, std::uint32_t count) {
     return array;
 }
 
-shared::DisplacedDepthParams displaced_depth_params(const glm::mat4& world_to_map,
-                                                    const shared::HeightSearch& search) {
-    // Rows of x and y, and the way that depth goes: w of a perspective, z (reversed) of a box.
-    const glm::mat4 rows = glm::transpose(world_to_map);
-    const glm::vec3 along = glm::vec3(rows[3]) - glm::vec3(rows[2]);
-    const float turn = glm::dot(glm::cross(glm::vec3(rows[0]), glm::vec3(rows[1])), along);
-    return {.world_to_clip = world_to_map,
-            .eye = glm::inverse(world_to_map) * glm::vec4(0, 0, 1, 0),
-            .handedness = turn > 0.0f ? -1.0f : 1.0f,
-            .search = search};
-}
-
-// Both sides cast shadows, so nothing is culled by orientation.
-void draw_casters(gpu::Recorder& recorder, const GpuScene& scene, const glm::mat4& world_to_map,
-                  const gpu::Image& map, const std::optional<shared::HeightSearch>& search) {
-    const Frustum frustum = frustum_of(world_to_map);
-    const bool apart = search.has_value();
-    gpu::RasterPass pass{
-        .depth = gpu::DepthTarget{.image = map, .clear = 0.0f, .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
-    recorder.draw("frame/depth", pass, world_to_map, scene.vertex_bindings(MaterialUse::none),
-                  scene.indices(), scene.batches(frustum, Surfaces::opaque, MaterialUse::none, {}, apart));
-    pass.depth->clear.reset();
-    const gpu::Bindings vertices = scene.vertex_bindings(MaterialUse::alpha);
-    std::vector<gpu::Batch> masked = scene.batches(frustum, Surfaces::masked, MaterialUse::alpha, {}, apart);
-    if (!masked.empty())
-        recorder.draw("frame/depth_mask", pass, world_to_map, vertices, scene.indices(), masked);
-    if (!apart) return;
-
-    // The light's rays go on behind the polygons, too: reliefs shadow themselves.
-    std::vector<gpu::Batch> reliefs = scene.batches(frustum, Surfaces::displaced, MaterialUse::alpha);
-    if (reliefs.empty()) return;
-    const shared::DisplacedDepthParams p = displaced_depth_params(world_to_map, *search);
-    recorder.draw("frame/depth_displaced", pass, p, vertices, scene.indices(), reliefs);
-}
-
 } // namespace
 
 int shadow_map_count(const shared::Light& light) {
@@ -181,7 +146,7 @@ gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
     auto scope = recorder.scope("shadow");
 
     for (std::uint32_t i = 0; i < views.size(); ++i)
-        draw_casters(recorder, scene, views[i].world_to_map, depth_.layer(i), search);
+        draw_depth(recorder, scene, views[i].world_to_map, depth_.layer(i), search);
     gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
     if (mode_ != ShadowMode::esm) return first_layers(depth_, threads.z);
 
