@@ -10,6 +10,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t node_bytes = 16;
+constexpr std::array<float, 4> nothing{-1e30f, -1e30f, 0, 0}; // -least and greatest depth of an empty list
 // Every device can bind 128 MiB as one storage buffer.
 constexpr std::uint32_t most_nodes = (128u << 20) / node_bytes;
 
@@ -97,69 +98,116 @@ std::uint64_t FragmentLists::bytes() const {
     return heads_.size() + nodes_.size() + shading_.size() + min_max_.bytes();
 }
 
-void FragmentLists::draw(gpu::Recorder& recorder, const GpuScene& scene) {
-    const shared::ListView& v = projection_.view;
-    recorder.fill(heads_, shared::LIST_END);
-    recorder.fill(count_, 0);
-    const shared::ListCaptureParams p{v, projection_.world_to_clip, capacity};
+// All surfaces that the view may see, opaque and masked ones.
+void FragmentLists::draw(gpu::Recorder& recorder, const GpuScene& scene, gpu::RasterPass pass,
+                         const std::string& program, const gpu::Bindings& targets) const {
+    const shared::ListCaptureParams p{projection_.view, projection_.world_to_clip, capacity};
     const Frustum frustum = frustum_of(projection_.world_to_clip);
-    gpu::RasterPass pass{
-        .color = {{min_max_.mip(0), std::array<float, 4>{-1e30f, -1e30f, 0, 0}, gpu::Blend::max}}};
-    const gpu::Bindings lists = {{"heads", heads_},
-                                 {"nodes", nodes_},
-                                 {"shading", shading_},
-                                 {"count", count_},
-                                 {"materials", materials_}};
-    for (MaterialUse use : {MaterialUse::none, MaterialUse::alpha}) {
-        const bool masked = use == MaterialUse::alpha;
+    for (const bool masked : {false, true}) {
+        const MaterialUse use = masked ? MaterialUse::alpha : MaterialUse::none;
         const auto batches = scene.batches(frustum, masked ? Surfaces::masked : Surfaces::opaque, use);
         if (masked && batches.empty()) continue;
-        gpu::Bindings bindings = lists;
+        gpu::Bindings bindings = targets;
+        bindings.push_back({"materials", materials_});
         for (const gpu::Binding& b : scene.vertex_bindings(MaterialUse::all))
-            if (masked ? b.name != "tangents"
-                       : b.name == "positions" || b.name == "instances" || b.name == "normals")
+            if (b.name != "tangents" && (masked || (b.name != "texcoords" && b.name != "colors")))
                 bindings.push_back(b);
-        recorder.draw(masked ? "common/fragment_lists_masked" : "common/fragment_lists", pass, p, bindings,
-                      scene.indices(), batches);
-        pass.color[0].clear.reset();
+        recorder.draw(masked ? program + "_masked" : program, pass, p, bindings, scene.indices(), batches);
+        for (gpu::ColorTarget& target : pass.color) target.clear.reset();
+        if (pass.depth) pass.depth->clear.reset();
+    }
+}
+
+void FragmentLists::begin(gpu::Recorder& recorder, const ListProjection& projection, std::uint32_t nodes) {
+    projection_ = projection;
+    const std::uint32_t side = std::uint32_t(projection.view.side);
+    heads_ = recorder.gpu().buffer(std::uint64_t(side) * side * 4, "list heads");
+    min_max_ = recorder.image({.width = side,
+                               .height = side,
+                               .format = VK_FORMAT_R32G32_SFLOAT,
+                               .mips = std::uint32_t(projection.view.levels)},
+                              "list depths");
+    reserve(recorder.gpu(), nodes);
+}
+
+void FragmentLists::reserve(gpu::Gpu& gpu, std::uint32_t nodes) {
+    if (nodes > most_nodes)
+        fail(Fault::resource,
+             "fragment lists: {} fragments in {}x{} pixels, more than the {} that one GPU buffer holds; "
+             "take a lower resolution",
+             nodes, projection_.view.side, projection_.view.side, most_nodes);
+    if (nodes_ && nodes_.size() >= std::uint64_t(nodes) * node_bytes) return;
+    capacity = std::min(std::bit_ceil(nodes), most_nodes);
+    nodes_ = gpu.buffer(std::uint64_t(capacity) * node_bytes, "list nodes");
+    shading_ = gpu.buffer(std::uint64_t(capacity) * 4, "list shading normals");
+}
+
+void FragmentLists::finish(gpu::Recorder& recorder) {
+    for (int level = 1; level < projection_.view.levels; ++level) {
+        const gpu::Image to = min_max_.mip(std::uint32_t(level));
+        recorder.dispatch("common/fragment_lists_mip.comp", extent_of(to), gpu::Recorder::NoParams{},
+                          {{"from", min_max_.mip(std::uint32_t(level - 1))}, {"to", to}});
     }
 }
 
 void FragmentLists::capture(gpu::Recorder& recorder, const GpuScene& scene,
                             const ListProjection& projection) {
     auto scope = recorder.scope("lists");
-    gpu::Gpu& gpu = recorder.gpu();
-    projection_ = projection;
-    const std::uint32_t side = std::uint32_t(projection.view.side);
-    heads_ = gpu.buffer(std::uint64_t(side) * side * 4, "list heads");
-    min_max_ = recorder.image({.width = side,
-                               .height = side,
-                               .format = VK_FORMAT_R32G32_SFLOAT,
-                               .mips = std::uint32_t(projection.view.levels)},
-                              "list depths");
+    begin(recorder, projection, capacity);
+    const gpu::RasterPass pass{.color = {{min_max_.mip(0), nothing, gpu::Blend::max}}};
 
     // The count is only known when the scene has been drawn.
     while (true) {
-        if (!nodes_ || nodes_.size() != std::uint64_t(capacity) * node_bytes) {
-            nodes_ = gpu.buffer(std::uint64_t(capacity) * node_bytes, "list nodes");
-            shading_ = gpu.buffer(std::uint64_t(capacity) * 4, "list shading normals");
-        }
-        draw(recorder, scene);
+        recorder.fill(heads_, shared::LIST_END);
+        recorder.fill(count_, 1);
+        draw(recorder, scene, pass, "common/fragment_lists",
+             {{"heads", heads_}, {"nodes", nodes_}, {"shading", shading_}, {"count", count_}});
         recorder.flush();
-        gpu.read(count_, std::as_writable_bytes(std::span(&node_count_, 1)));
-        if (node_count_ <= capacity) break;
-        if (node_count_ > most_nodes)
-            fail(Fault::resource,
-                 "fragment lists: {} fragments in {}x{} pixels, more than the {} that one GPU buffer holds; "
-                 "take a lower resolution",
-                 node_count_, side, side, most_nodes);
-        capacity = std::bit_ceil(node_count_);
+        recorder.gpu().read(count_, std::as_writable_bytes(std::span(&used_, 1)));
+        if (used_ <= capacity) break;
+        reserve(recorder.gpu(), used_);
     }
-    for (int level = 1; level < projection.view.levels; ++level) {
-        const gpu::Image to = min_max_.mip(std::uint32_t(level));
-        recorder.dispatch("common/fragment_lists_mip.comp", extent_of(to), gpu::Recorder::NoParams{},
-                          {{"from", min_max_.mip(std::uint32_t(level - 1))}, {"to", to}});
+    finish(recorder);
+}
+
+void FragmentLists::capture_layers(gpu::Recorder& recorder, const GpuScene& scene,
+                                   const ListProjection& projection, int layers) {
+    auto scope = recorder.scope("layers");
+    const std::uint32_t side = std::uint32_t(projection.view.side);
+    begin(recorder, projection, std::uint32_t(layers) * side * side + 1);
+    recorder.fill(heads_, shared::LIST_END);
+    recorder.clear(min_max_.mip(0), nothing);
+    auto image = [&](VkFormat format, const char* name) {
+        return recorder.image({.width = side, .height = side, .format = format}, name);
+    };
+    const gpu::Image node = image(VK_FORMAT_R32G32B32A32_UINT, "layer node");
+    const gpu::Image normal = image(VK_FORMAT_R32_UINT, "layer shading normal");
+    const gpu::Image range = image(VK_FORMAT_R32G32_SFLOAT, "layer range");
+    const gpu::Image hardware = image(VK_FORMAT_D32_SFLOAT, "layer hardware depth");
+    const gpu::Image depths[] = {image(VK_FORMAT_R32_SFLOAT, "layer depth"),
+                                 image(VK_FORMAT_R32_SFLOAT, "last layer's depth")};
+    recorder.clear(depths[1], {});
+
+    const std::array<float, 4> black{};
+    for (int layer = 0; layer < layers; ++layer) {
+        const gpu::Image &depth = depths[layer % 2], &last = depths[1 - layer % 2];
+        const gpu::RasterPass pass{.color = {{node, black}, {normal, black}, {range, black}, {depth, black}},
+                                   .depth = gpu::DepthTarget{.image = hardware,
+                                                             .clear = 0.0f,
+                                                             .compare = VK_COMPARE_OP_GREATER_OR_EQUAL}};
+        draw(recorder, scene, pass, "common/fragment_layers", {{"farther_than", last}});
+        recorder.dispatch("common/fragment_layers_link.comp", {side, side},
+                          shared::ListLayerParams{int(side), layer},
+                          {{"node", node},
+                           {"shading_normal", normal},
+                           {"range", range},
+                           {"layer_depth", depth},
+                           {"heads", heads_},
+                           {"nodes", nodes_},
+                           {"shading", shading_},
+                           {"min_max", min_max_.mip(0)}});
     }
+    finish(recorder);
 }
 
 } // namespace luxel

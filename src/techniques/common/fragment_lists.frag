@@ -5,4 +5,4 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/common/fragment_lists_fragment.glsl"
 
-void main() { append_fragment(); }
+void main() { append(list_fragment()); }

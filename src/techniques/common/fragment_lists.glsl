@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rays against per-pixel lists. Positions are relative to the view's center.
+#ifndef LUXEL_FRAGMENT_LISTS_GLSL
+#define LUXEL_FRAGMENT_LISTS_GLSL
 #include "shared/octahedral.h"
 #include "techniques/common/fragment_lists_params.h"
 
@@ -77,3 +79,4 @@ void meet_list(ListRay r, ivec2 pixel, int side, float from, float to, inout Lis
         i = node[LIST_NEXT];
     }
 }
+#endif

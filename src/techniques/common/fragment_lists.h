@@ -30,21 +30,29 @@ public:
     // hold.
     void capture(gpu::Recorder& recorder, const GpuScene& scene, const ListProjection& projection);
 
+    // The nearest `layers` of them, by depth peeling: the baseline, which misses what is farther.
+    void capture_layers(gpu::Recorder& recorder, const GpuScene& scene, const ListProjection& projection,
+                        int layers);
+
     const shared::ListView& view() const { return projection_.view; }
     gpu::Bindings bindings() const;                        // heads, nodes
     const gpu::Image& min_max() const { return min_max_; } // RG32F with mips: -least and greatest depth
     const gpu::Buffer& shading() const { return shading_; }
     const gpu::Buffer& materials() const { return materials_; }
-    std::uint32_t node_count() const { return node_count_; }
+    std::uint32_t node_count() const { return used_ - 1; } // of capture()
     std::uint64_t bytes() const;
 
     std::uint32_t capacity = 1u << 16; // of the pool, nodes
 
 private:
-    void draw(gpu::Recorder& recorder, const GpuScene& scene);
+    void begin(gpu::Recorder& recorder, const ListProjection& projection, std::uint32_t nodes);
+    void reserve(gpu::Gpu& gpu, std::uint32_t nodes);
+    void draw(gpu::Recorder& recorder, const GpuScene& scene, gpu::RasterPass pass,
+              const std::string& program, const gpu::Bindings& targets) const;
+    void finish(gpu::Recorder& recorder);
 
     ListProjection projection_{};
-    std::uint32_t node_count_ = 0;
+    std::uint32_t used_ = 1; // nodes, with node 0, which is none
     gpu::Buffer heads_, nodes_, shading_, count_, materials_;
     gpu::Image min_max_;
 };

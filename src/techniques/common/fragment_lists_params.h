@@ -22,12 +22,18 @@ struct ListCaptureParams {
     uint capacity; // nodes
 };
 
+struct ListLayerParams {
+    int side;
+    int layer;
+};
+
 // A fragment of a list: facet n.x = offset, seen through one pixel.
 LUXEL_CONST uint LIST_OFFSET = 0u; // float bits; the thesis stores the depth at the pixel's center
 LUXEL_CONST uint LIST_NORMAL = 1u; // pack_unit; outward, by the front side
 LUXEL_CONST uint LIST_WHAT = 2u;   // instance and LIST_* flags
 LUXEL_CONST uint LIST_NEXT = 3u;
-LUXEL_CONST uint LIST_END = 0xFFFFFFFFu;
+// Node 0 is none: what an inactive lane of a CPU driver reads has to end a list as well.
+LUXEL_CONST uint LIST_END = 0u;
 
 // Which sides of a facet a ray can meet: a mirror's front; glass from outside or, for a ray in it, from
 // inside.

@@ -11,6 +11,9 @@ void PhotonOptions::visit(Visitor& v) {
         "where photons are traced: in what the camera can see and a margin, or in a box around the scene");
     v.real("margin", margin, {0, 4}, "of the camera's capture on each side, as a share of its half width");
     v.integer("resolution", side, {16, 1024}, "pixels a side of the lists, a power of two");
+    v.choice("tracer", tracer, {"march", "lines", "layers"},
+             "a walk over the pixels that a ray crosses, rays drawn as lines, or a walk over peeled layers");
+    v.integer("layers", layers, {1, 64}, "of tracer=layers");
     v.flag("skip", skip, "over empty space by a min-max pyramid");
     v.integer("bounces", bounces, {1, 16}, "specular surfaces on a photon's path");
     v.flag("both", both, "glass met first reflects and refracts; else one of them by chance");
@@ -19,6 +22,20 @@ void PhotonOptions::visit(Visitor& v) {
     v.real("share", share, {0.1, 1000}, "photons that a disc holds where nothing focuses the beam");
     v.integer("scale", scale, {1, 8}, "pixels a side of the frame for each that photons are splatted on");
     rsm.visit(v);
+}
+
+ListProjection list_projection(const Frame& frame, const PhotonOptions& options) {
+    const Bounds bounds = frame.scene->bounds();
+    if (options.capture == PhotonCapture::box) return list_view_of_box(bounds, options.side);
+    return list_view_of_camera(frame.view, bounds, options.side, options.margin);
+}
+
+void capture_lists(gpu::Recorder& recorder, FragmentLists& lists, const GpuScene& scene,
+                   const ListProjection& projection, const PhotonOptions& options) {
+    if (options.tracer == PhotonTracer::layers)
+        lists.capture_layers(recorder, scene, projection, options.layers);
+    else
+        lists.capture(recorder, scene, projection);
 }
 
 namespace {
@@ -31,12 +48,7 @@ public:
 
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
         auto scope = recorder.scope("photon_map");
-        const Bounds bounds = frame.scene->bounds();
-        ListProjection projection =
-            options_.capture == PhotonCapture::camera
-                ? list_view_of_camera(frame.view, bounds, options_.side, options_.margin)
-                : list_view_of_box(bounds, options_.side);
-        lists_.capture(recorder, *frame.scene, projection);
+        capture_lists(recorder, lists_, *frame.scene, list_projection(frame, options_), options_);
         const std::vector<RsmView> views = reflective_shadow_maps(recorder, frame, options_.rsm);
         const glm::vec3 center = lists_.view().center;
         const PhotonBuffers photons = emit_photons(recorder, views, center, options_);

@@ -9,6 +9,7 @@
 namespace luxel {
 
 enum class PhotonCapture { camera, box };
+enum class PhotonTracer { march, lines, layers };
 enum class PhotonKernel { cone, gaussian };
 
 struct PhotonBuffers {
@@ -22,6 +23,8 @@ struct PhotonOptions {
     PhotonCapture capture = PhotonCapture::camera;
     float margin = 0.25f;
     int side = 256;
+    PhotonTracer tracer = PhotonTracer::march;
+    int layers = 4;
     bool skip = true;
     int bounces = 4;
     bool both = true, mixed = true;
@@ -31,6 +34,10 @@ struct PhotonOptions {
     void visit(Visitor& v);
 };
 
+ListProjection list_projection(const Frame& frame, const PhotonOptions& options);
+// The lists, or for tracer=layers the nearest surfaces alone.
+void capture_lists(gpu::Recorder& recorder, FragmentLists& lists, const GpuScene& scene,
+                   const ListProjection& projection, const PhotonOptions& options);
 // At most options.photons of them, twice as many where glass splits each.
 PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& views, glm::vec3 center,
                            const PhotonOptions& options);

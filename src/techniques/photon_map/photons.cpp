@@ -22,7 +22,9 @@ gpu::Image flux_pyramid(gpu::Recorder& recorder, const RsmView& view, const gpu:
     return sums;
 }
 
-constexpr std::uint32_t seed = 1; // the same photons in each frame [Le2014, 4]
+constexpr std::uint32_t seed = 1;         // the same photons in each frame [Le2014, 4]
+constexpr std::uint32_t most_rows = 4096; // of the image of lines
+constexpr float start = 0.01f;            // pixels before which a ray meets nothing
 
 } // namespace
 
@@ -72,16 +74,47 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
     return b;
 }
 
+namespace {
+
+// What photon_map/rays.glsl and the tracers declare.
+gpu::Bindings ray_bindings(const FragmentLists& lists, const PhotonBuffers& photons) {
+    gpu::Bindings bindings = lists.bindings();
+    bindings.push_back({"photons", photons.photons});
+    bindings.push_back({"counts", photons.counts});
+    return bindings;
+}
+
+// So many rays at a time as rows of one image, and the first hit of each row.
+void trace_lines(gpu::Recorder& recorder, const FragmentLists& lists, const PhotonBuffers& photons,
+                 shared::PhotonTraceParams p) {
+    const std::uint32_t width = std::uint32_t(lists.view().side) + 1;
+    const std::uint32_t rows = std::min(std::uint32_t(photons.most), most_rows);
+    const gpu::Image met =
+        recorder.image({.width = width, .height = rows, .format = VK_FORMAT_R32G32_SFLOAT}, "photon lines");
+    gpu::Bindings drawn = ray_bindings(lists, photons), first = ray_bindings(lists, photons);
+    drawn.push_back({"min_max", lists.min_max()});
+    first.push_back({"met", met});
+    first.push_back({"hits", photons.hits});
+    p.rows = int(rows);
+    const gpu::RasterPass pass{.color = {{met, std::array<float, 4>{1e30f, -1.0f, 0, 0}}},
+                               .topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST};
+    const std::vector<gpu::Batch> all = {{.draws = {{.count = 2 * rows}}}};
+    for (p.first_row = 0; p.first_row < photons.most; p.first_row += int(rows)) {
+        recorder.draw("photon_map/lines", pass, p, drawn, {}, all);
+        recorder.dispatch("photon_map/lines_first.comp", {rows}, p, first);
+    }
+}
+
+} // namespace
+
 void trace_photons(gpu::Recorder& recorder, const FragmentLists& lists, const PhotonBuffers& photons,
                    const PhotonOptions& options) {
-    shared::PhotonTraceParams p{.view = lists.view(), .start = 0.01f, .most = photons.most};
+    shared::PhotonTraceParams p{.view = lists.view(), .start = start, .most = photons.most};
+    if (options.tracer == PhotonTracer::lines) return trace_lines(recorder, lists, photons, p);
     if (!options.skip) p.view.levels = 1;
-    gpu::Bindings bindings = lists.bindings();
-    for (const gpu::Binding& b : gpu::Bindings{{"min_max", lists.min_max()},
-                                               {"photons", photons.photons},
-                                               {"counts", photons.counts},
-                                               {"hits", photons.hits}})
-        bindings.push_back(b);
+    gpu::Bindings bindings = ray_bindings(lists, photons);
+    bindings.push_back({"min_max", lists.min_max()});
+    bindings.push_back({"hits", photons.hits});
     recorder.dispatch("photon_map/march.comp", {std::uint32_t(photons.most)}, p, bindings);
 }
 

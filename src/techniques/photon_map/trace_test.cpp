@@ -16,7 +16,7 @@ protected:
         GpuScene on_gpu(gpu(), scene, false);
         FragmentLists lists(gpu(), scene);
         gpu::Recorder recorder(gpu());
-        lists.capture(recorder, on_gpu, projection);
+        capture_lists(recorder, lists, on_gpu, projection, options);
         const PhotonBuffers photons = upload_rays(gpu(), rays, lists.view().center);
         trace_photons(recorder, lists, photons, options);
         recorder.submit();
@@ -45,6 +45,22 @@ TEST_F(PhotonTraceTest, RaysThroughWaterEndWhereTheyDo) {
     const Scene scene = water(0.0f);
     expect_right(scene, camera_lists(scene, 256), 20000);
     expect_right(scene, list_view_of_box(scene.bounds(), 256), 20000);
+}
+
+// Lines miss some of the pixels that they pass, but not many that matter here; layers see what is in front.
+TEST_F(PhotonTraceTest, TheOtherTracersFindMostEnds) {
+    const Scene scene = metal_ring();
+    const std::vector<TestRay> rays = specular_rays(scene, 5000);
+    PhotonOptions options;
+    options.tracer = PhotonTracer::lines;
+    const TraceResult lines = trace(scene, camera_lists(scene, 256), rays, options);
+    EXPECT_GE(double(lines.right), 0.95 * lines.counted) << describe(lines);
+    options.tracer = PhotonTracer::layers;
+    const TraceResult four = trace(scene, camera_lists(scene, 256), rays, options);
+    options.layers = 16;
+    const TraceResult all = trace(scene, camera_lists(scene, 256), rays, options);
+    EXPECT_GE(double(all.right), 0.98 * all.counted) << describe(all);
+    EXPECT_LE(four.right, all.right);
 }
 
 // Without the pyramid each pixel is looked at.
