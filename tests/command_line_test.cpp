@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line as users meet it: bad input of every kind ends in one sentence, the right exit code and no
 // output.
+#include <fstream>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -196,6 +197,15 @@ TEST(CommandLine, InfoTechniquesAndDevicesSpeakJson) {
     const Json info = Json::parse(run_luxel({"info", "builtin:cornell", "--json"}).out);
     EXPECT_GE(info.at("triangles"), 30);
     EXPECT_FALSE(info.at("cameras").empty());
+    const TemporaryFolder folder;
+    const std::string scene = (folder.path() / "boxes.toml").string();
+    std::ofstream(scene) << "geometry = \"builtin:cornell\"\n[[object]]\nname = \"*box\"\nrole = \"boxes\"\n"
+                            "impostor = \"nailboard\"\n";
+    const Json impostors = Json::parse(run_luxel({"info", scene, "--json"}).out).at("impostors");
+    EXPECT_EQ(impostors,
+              Json::parse(
+                  R"([{"name": "boxes", "kind": "nailboard", "size": 256, "error": 1.0, "instances": 2}])"));
+    EXPECT_TRUE(info.at("impostors").empty());
     const Json techniques = Json::parse(run_luxel({"techniques", "--json"}).out);
     for (const Json& technique : techniques.at("techniques"))
         for (const char* key : {"name", "slot", "summary", "parameters"})

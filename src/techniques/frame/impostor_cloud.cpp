@@ -187,12 +187,43 @@ ImpostorCloud make_cloud(const Scene& scene, const ImpostorObject& object) {
                                .eye = view.position,
                                .forward = -n,
                                .depth = reach,
+                               .turn = glm::mat3(1.0f),
                                .parallel = 1.0f});
         view.world_to_clip = into_part(places[i], sizes[i], whole) * view.world_to_clip;
         cloud.views.push_back(view);
         cloud.parts.push_back(append_parts(scene, all, planes[i], cloud.indices));
     }
     return cloud;
+}
+
+std::optional<glm::mat4> common_motion(const std::vector<glm::mat4>& before,
+                                       const std::vector<glm::mat4>& after) {
+    // What rounding leaves of a rotation and of equality, relative to the numbers at hand.
+    constexpr double rounding = 1e-4;
+    std::optional<glm::dmat4> motion;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const glm::dmat4 m = glm::dmat4(after[i]) * glm::inverse(glm::dmat4(before[i]));
+        if (!motion) motion = m;
+        for (int column = 0; column < 4; ++column) {
+            const double size = std::max(1.0, glm::length((*motion)[column]));
+            if (!(glm::length(m[column] - (*motion)[column]) <= rounding * size)) return std::nullopt;
+        }
+    }
+    const glm::dmat3 turn(*motion), deviation = glm::transpose(turn) * turn - glm::dmat3(1.0);
+    for (int column = 0; column < 3; ++column)
+        if (!(glm::length(deviation[column]) <= rounding)) return std::nullopt;
+    if (glm::determinant(turn) < 0.0) return std::nullopt;
+    return glm::mat4(*motion);
+}
+
+std::vector<shared::ImpostorCard> moved(std::vector<shared::ImpostorCard> cards, const glm::mat4& motion) {
+    const auto move = [&](glm::vec3& v, float w) { v = glm::vec3(motion * glm::vec4(v, w)); };
+    for (shared::ImpostorCard& card : cards) {
+        move(card.corner, 1.0f), move(card.eye, 1.0f);
+        move(card.edge_u, 0.0f), move(card.edge_v, 0.0f), move(card.forward, 0.0f);
+        card.turn = glm::mat3(motion) * card.turn;
+    }
+    return cards;
 }
 
 Capture draw_cloud(gpu::Recorder& recorder, const GpuScene& scene, const ImpostorObject& object,

@@ -45,6 +45,7 @@ void main() {
     ivec2 at = ivec2(clamp(texel, card.first, card.first + card.size - 1.0));
     float seen = texelFetch(depth, at, 0).r;
     vec4 ng = texelFetch(geometric_normal, at, 0);
+    ng.xyz = card.turn * ng.xyz;
 
     // Where the pixel's ray meets the sample's tangent plane, but not beyond the samples beside it, or for a cloud
     // beyond the distance that it allows: a point beside the surface would lie in the object's own shadow.
@@ -60,7 +61,7 @@ void main() {
     // From behind the card its samples show their other side.
     float side = dot(world - view.position, card.forward) < 0.0 ? -1.0 : 1.0;
     ng *= side;
-    vec3 n = texelFetch(normal, at, 0).xyz * side;
+    vec3 n = card.turn * texelFetch(normal, at, 0).xyz * side;
     vec3 to_eye = -normalize(ray);
     if (dot(n, to_eye) < LEAST_FACING_COSINE) n = facing_normal(n, ng.xyz, to_eye);
 

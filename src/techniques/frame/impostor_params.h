@@ -13,6 +13,7 @@ struct ImpostorCard {
     vec3 eye;            // where the samples were seen from
     vec3 forward;        // unit, along which their depth is measured
     float depth;         // of the rectangle, the same way
+    mat3 turn;           // of the samples' normals into the world
     float parallel;      // 1: seen along `forward`, the eye is anywhere on the plane of depth 0
 };
 

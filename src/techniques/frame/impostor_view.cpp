@@ -54,7 +54,8 @@ shared::ImpostorCard card_of(const shared::ViewParams& view, float depth) {
             .size = {view.width, view.height},
             .eye = view.position,
             .forward = view.forward,
-            .depth = depth};
+            .depth = depth,
+            .turn = glm::mat3(1.0f)};
 }
 
 float balanced_depth(const Bounds& bounds, const shared::ViewParams& view) {

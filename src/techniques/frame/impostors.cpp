@@ -30,7 +30,7 @@ Impostors::Impostors(const Scene& scene) : scene_(&scene) {
         item.object = std::move(object);
         if (item.object.impostor.kind != ImpostorKind::billboard_cloud) continue;
         item.cloud = make_cloud(scene, item.object);
-        item.transforms = transforms_of(item);
+        item.made_at = transforms_of(item);
     }
 }
 
@@ -98,16 +98,22 @@ void Impostors::refresh_board(gpu::Recorder& recorder, const GpuScene& scene, co
 
 void Impostors::refresh_cloud(gpu::Recorder& recorder, const GpuScene& scene, Item& item) {
     std::vector<glm::mat4> transforms = transforms_of(item);
-    if (transforms != item.transforms) {
-        item.cloud = make_cloud(*scene_, item.object);
-        item.transforms = std::move(transforms);
-        item.samples.reset();
+    if (item.samples && transforms == item.transforms) return;
+
+    // Samples move with the instances; only where those moved apart the planes are chosen again.
+    const auto motion = item.samples ? common_motion(item.made_at, transforms) : std::nullopt;
+    if (motion) {
+        item.cards = moved(item.cloud.cards, *motion);
+    } else {
+        if (transforms != item.made_at) item.cloud = make_cloud(*scene_, item.object);
+        item.made_at = transforms;
+        item.cards = item.cloud.cards;
+        item.shown = !item.cards.empty();
+        if (!item.shown) return;
+        item.samples = draw_cloud(recorder, scene, item.object, item.cloud);
+        item.samples->direct_diffuse = {};
     }
-    item.shown = !item.cloud.cards.empty();
-    if (item.samples || !item.shown) return;
-    item.cards = item.cloud.cards;
-    item.samples = draw_cloud(recorder, scene, item.object, item.cloud);
-    item.samples->direct_diffuse = {};
+    item.transforms = std::move(transforms);
     cards_are_old_ = true;
 }
 

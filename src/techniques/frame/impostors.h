@@ -32,7 +32,8 @@ private:
         ImpostorCloud cloud;
         std::vector<shared::ImpostorCard> cards;
         std::optional<Capture> samples;
-        std::vector<glm::mat4> transforms; // of the instances when the samples, or the cloud, were made
+        std::vector<glm::mat4> transforms; // of the instances when the cards were made
+        std::vector<glm::mat4> made_at;    // and the cloud's planes
         bool shown = false;
     };
     void refresh_board(gpu::Recorder& recorder, const GpuScene& scene, const shared::ViewParams& view,
