@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Irradiance from all virtual point lights. THESIS: by the thesis's kernel; SHADOWED: with imperfect shadow maps.
+// Irradiance from all virtual point lights. KERNEL: KERNEL_DISC, KERNEL_BOUNDED or KERNEL_THESIS, at compile time:
+// CPU drivers execute untaken branches. SHADOWED: with imperfect shadow maps.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/vpl/vpl_params.h"
+
+#define KERNEL_DISC 0
+#define KERNEL_BOUNDED 1
+#define KERNEL_THESIS 2
 
 layout(binding = 0, scalar) uniform params { VplGatherParams p; };
 layout(binding = 1) uniform sampler2D depth;
@@ -11,6 +16,10 @@ layout(binding = 3) uniform sampler2D geometric_normal;
 layout(binding = 4) uniform samplerBuffer lights;
 layout(binding = 5, scalar) readonly buffer light_count { int count; };
 layout(binding = 6, rgba32f) uniform writeonly image2D irradiance; // a = 1 where there is a surface
+
+#ifdef SHADOWED
+layout(binding = 9) uniform sampler2D shadow_maps;
+#endif
 
 struct Receiver {
     vec3 position, normal, plane;
@@ -22,15 +31,38 @@ Vpl vpl_at(int i) {
     return Vpl(first.xyz, first.w, texelFetch(lights, at + 1).xyz, texelFetch(lights, at + 2).rgb);
 }
 
+#ifdef SHADOWED
+// Whether nothing is nearer to the light than the receiver, which moves along its normal so far that its own plane
+// cannot shadow it: by half a texel's diagonal times the share of the plane's slope, as in docs/frame.md, and as
+// far again for the points, which lie anywhere in their texels.
+float visibility(int i, Vpl vpl, Receiver r) {
+    mat3 around = frame_around(vpl.normal);
+    vec3 v = r.position - vpl.position, w = normalize(v);
+    float c = dot(r.plane, w), slope = sqrt(max(1.0 - c * c, 0.0));
+    float texel = length(v) * ism_texel(to_paraboloid(w * around), p.ism.size);
+    v = (v + r.plane * (1.4142136 * texel * slope)) * around;
+    float d = length(v);
+    vec2 m = to_paraboloid(v / d) * 0.5 + 0.5;
+    ivec2 at = clamp(ivec2(m * float(p.ism.size)), ivec2(0), ivec2(p.ism.size - 1));
+    return d * texelFetch(shadow_maps, ism_corner(i, p.ism) + at, 0).r <= 1.0 ? 1.0 : 0.0;
+}
+#endif
+
 vec3 gathered(Receiver r) {
     vec3 sum = vec3(0);
     for (int i = 0; i < count; ++i) {
         Vpl vpl = vpl_at(i);
-#ifdef THESIS
-        sum += vpl.flux * vpl_thesis_kernel(vpl, r.position, r.normal);
+#if KERNEL == KERNEL_THESIS
+        float kernel = vpl_thesis_kernel(vpl, r.position, r.normal);
+#elif KERNEL == KERNEL_BOUNDED
+        float kernel = vpl_bounded_kernel(vpl, r.position, r.normal, r.plane, p) / PI;
 #else
-        sum += vpl.flux * (vpl_kernel(vpl, r.position, r.normal, r.plane, p) / PI);
+        float kernel = vpl_disc_kernel(vpl, r.position, r.normal, r.plane) / PI;
 #endif
+#ifdef SHADOWED
+        if (kernel > 0.0) kernel *= visibility(i, vpl, r);
+#endif
+        sum += vpl.flux * kernel;
     }
     return sum;
 }

@@ -2,5 +2,5 @@
 // As printed in the thesis.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define THESIS
+#define KERNEL KERNEL_THESIS
 #include "techniques/vpl/gather_full.glsl"

@@ -3,79 +3,105 @@
 
 #include <limits>
 
+#include "core/error.h"
+
 namespace luxel {
 
 void VplTechniqueOptions::visit(Visitor& v) {
     vpls.visit(v);
     v.choice("gather", gather, {"full", "multires"},
              "sums at every pixel, or at regions of pixels and interpolated between");
-    v.choice("mode", mode, {"bounded", "thesis"},
-             "kernel bounded by each light's area, or as printed in the thesis");
-    v.real("clamp", clamp, {0, 1e6}, "most of a kernel, 1/m2, instead of the bound by area; 0 = none");
+    v.choice("mode", mode, {"disc", "bounded", "thesis"},
+             "kernel: lights as discs of their area, as points bounded by it, or as printed in the thesis");
+    v.real("clamp", clamp, {0, 1e6},
+           "mode=bounded: most of a kernel, 1/m2, instead of the bound by area; 0 = none");
+    v.choice("visibility", visibility, {"none", "imperfect_shadow_maps"},
+             "of lights: whatever lies between, or by a small map of points for each");
     regions.visit(v);
+    ism.visit(v);
     rsm.visit(v);
 }
 
 namespace {
 
-shared::VplGatherParams gather_params(const Frame& frame, const VplTechniqueOptions& options) {
+shared::VplGatherParams gather_params(const Frame& frame, const VplSenders& senders,
+                                      const VplTechniqueOptions& options) {
     const bool clamps = options.clamp > 0.0f;
     return {.view = frame.view,
             .bounded = clamps ? 0.0f : 1.0f,
             .most = clamps ? options.clamp : std::numeric_limits<float>::max(),
-            .level = 0};
+            .level = 0,
+            .ism = senders.ism.params};
 }
 
-gpu::Bindings gather_bindings(const Frame& frame, const Vpls& vpls) {
-    return {{"depth", frame.gbuffer.depth},
-            {"normal", frame.gbuffer.normal},
-            {"geometric_normal", frame.gbuffer.geometric_normal},
-            {"lights", vpls.lights},
-            {"light_count", vpls.count}};
+gpu::Bindings gather_bindings(const Frame& frame, const VplSenders& senders) {
+    gpu::Bindings bindings = {{"depth", frame.gbuffer.depth},
+                              {"normal", frame.gbuffer.normal},
+                              {"geometric_normal", frame.gbuffer.geometric_normal},
+                              {"lights", senders.vpls.lights},
+                              {"light_count", senders.vpls.count}};
+    if (senders.ism.maps) bindings.push_back({"shadow_maps", senders.ism.maps});
+    return bindings;
 }
 
-gpu::Image gather_full(gpu::Recorder& recorder, const Frame& frame, const Vpls& vpls,
+// The variant of a gathering program.
+std::string variant(const std::string& program, const VplSenders& senders,
+                    const VplTechniqueOptions& options) {
+    static constexpr const char* kernels[] = {"_disc.comp", "_bounded.comp", "_thesis.comp"};
+    return program + (senders.ism.maps ? "_shadowed.comp" : kernels[std::size_t(options.mode)]);
+}
+
+gpu::Image gather_full(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
                        const VplTechniqueOptions& options) {
     const gpu::Image irradiance =
         recorder.image({.width = frame.width, .height = frame.height}, "vpl irradiance");
-    gpu::Bindings bindings = gather_bindings(frame, vpls);
+    gpu::Bindings bindings = gather_bindings(frame, senders);
     bindings.push_back({"irradiance", irradiance});
-    recorder.dispatch(options.mode == VplMode::thesis ? "vpl/gather_full_thesis.comp"
-                                                      : "vpl/gather_full.comp",
-                      extent_of(irradiance), gather_params(frame, options), bindings);
+    recorder.dispatch(variant("vpl/gather_full", senders, options), extent_of(irradiance),
+                      gather_params(frame, senders, options), bindings);
     return irradiance;
 }
 
-gpu::Image gather_multires(gpu::Recorder& recorder, const Frame& frame, const Vpls& vpls,
+gpu::Image gather_multires(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
                            const VplTechniqueOptions& options) {
     const VplRegions regions = vpl_regions(recorder, frame, options.regions);
-    shared::VplGatherParams p = gather_params(frame, options);
+    shared::VplGatherParams p = gather_params(frame, senders, options);
     for (; p.level < options.regions.levels; ++p.level) {
-        gpu::Bindings bindings = gather_bindings(frame, vpls);
+        gpu::Bindings bindings = gather_bindings(frame, senders);
         bindings.insert(bindings.end(), {{"irradiance", regions.cells.mip(std::uint32_t(p.level))},
                                          {"regions", regions.lists[std::size_t(p.level)]},
                                          {"region_counts", regions.counts}});
-        recorder.dispatch_indirect(
-            options.mode == VplMode::thesis ? "vpl/gather_regions_thesis.comp" : "vpl/gather_regions.comp",
-            regions.arguments, std::uint64_t(p.level) * 3 * sizeof(std::uint32_t), p, bindings);
+        recorder.dispatch_indirect(variant("vpl/gather_regions", senders, options), regions.arguments,
+                                   std::uint64_t(p.level) * 3 * sizeof(std::uint32_t), p, bindings);
     }
     return vpl_interpolate(recorder, regions);
 }
 
 } // namespace
 
-gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Frame& frame, const Vpls& vpls,
+gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
                           const VplTechniqueOptions& options) {
     auto scope = recorder.scope("gather");
-    return options.gather == VplGather::full ? gather_full(recorder, frame, vpls, options)
-                                             : gather_multires(recorder, frame, vpls, options);
+    return options.gather == VplGather::full ? gather_full(recorder, frame, senders, options)
+                                             : gather_multires(recorder, frame, senders, options);
+}
+
+void VplTechnique::prepare(gpu::Gpu& gpu, const Scene& scene) {
+    points_ = {};
+    if (options_.visibility == VplVisibility::imperfect_shadow_maps)
+        points_ = ism_points(gpu, scene, options_.ism);
 }
 
 Contribution VplTechnique::render(gpu::Recorder& recorder, const Frame& frame) {
     auto scope = recorder.scope("vpl");
-    const std::vector<RsmView> views = reflective_shadow_maps(recorder, frame, options_.rsm);
-    const Vpls vpls = sample_vpls(recorder, views, options_.vpls);
-    const gpu::Image irradiance = vpl_irradiance(recorder, frame, vpls, options_);
+    const bool shadows = options_.visibility == VplVisibility::imperfect_shadow_maps;
+    if (shadows && options_.mode != VplMode::disc)
+        fail(Fault::usage, "vpl: visibility=imperfect_shadow_maps is for mode=disc only");
+    VplSenders senders;
+    senders.vpls =
+        sample_vpls(recorder, reflective_shadow_maps(recorder, frame, options_.rsm), options_.vpls);
+    if (shadows) senders.ism = imperfect_shadow_maps(recorder, frame, points_, senders.vpls, options_.ism);
+    const gpu::Image irradiance = vpl_irradiance(recorder, frame, senders, options_);
     const gpu::Image radiance =
         recorder.image({.width = frame.width, .height = frame.height}, "vpl radiance");
     recorder.dispatch(

@@ -3,20 +3,53 @@
 #ifndef LUXEL_VPL_VPL_PARAMS_H
 #define LUXEL_VPL_VPL_PARAMS_H
 #include "techniques/common/vpl_params.h"
+#include "techniques/vpl/ism_params.h"
 LUXEL_BEGIN
 
 struct VplGatherParams {
     ViewParams view;
-    float bounded; // 1: the kernel ends at a light's area; 0: it does not
-    float most;    // of the kernel, 1/m2
+    float bounded; // of the bounded kernel: 1: it ends at a light's area; 0: it does not
+    float most;    // of it, 1/m2
     int level;     // of the regions that are shaded
+    IsmParams ism;
 };
 
-// cos cos / (d^2 + bound), with `plane` the receiver's triangle: what flux / pi becomes as irradiance. bound
-// = area / pi makes it exact for a disc of that area seen from above its middle, and lets the bias vanish
-// with the area; [Le2014, 3.2.2.2] has a small constant. The cosines are those of unit vectors, and not of
-// their backs, other than printed there.
-LUXEL_FN float vpl_kernel(Vpl vpl, vec3 position, vec3 normal, vec3 plane, VplGatherParams p) {
+// The part above the horizon of what a disc sends with the vector irradiance `arrow`, per flux / pi; c =
+// n.arrow. By the sphere with the same vector, whose form factor facing it is F = |arrow| r^2 and the sine of
+// whose radius is sigma = sqrt(F). While it crosses the horizon, t = cos / sigma in [-1, 1], u = (1 + t) / 2,
+// a small sphere makes sigma^3 (t acos(-t) + (2 + t^2) sqrt(1 - t^2) / 3) / pi ~ sigma^3 u^2 (.7 + .3 u), one
+// that fills a hemisphere u; weights between the two fit (asin sigma - sigma sqrt(1 - F)) / pi, which is
+// exact for t = 0, to .03.
+LUXEL_FN float disc_above_horizon(float c, float length2, float r2) {
+    float size = sqrt(max(length2, 1e-30f)), f = min(size * r2, 1.0f), sigma = sqrt(f);
+    float t = c / (size * sigma);
+    if (t >= 1.0f) return c;
+    float u = 0.5f + 0.5f * max(t, -1.0f), f2 = f * f, f4 = f2 * f2;
+    return size * sigma * mix(u * u * (0.7f + 0.3f * u), u, 0.27f * f + 0.73f * f4 * f4);
+}
+
+// What flux / pi becomes as irradiance: of a disc with the light's area, in closed form while it is above the
+// receiver's horizon. With h the receiver's height over its plane, a = d^2, s^2 = a - h^2, r^2 = bound and
+// q^2 = (a + r^2)^2 - 4 r^2 s^2, the disc of radiance 1 makes pi/2 (1 - (a - r^2) / q) on a plane that faces
+// it and pi h / (2 s) ((a + r^2) / q - 1) on one along its axis [Howell2010]. Both are differences of nearly
+// equal numbers far away, hence the forms below. It is cos cos / d^2 for r = 0. plane: normal of the
+// receiver's triangle.
+LUXEL_FN float vpl_disc_kernel(Vpl vpl, vec3 position, vec3 normal, vec3 plane) {
+    vec3 v = vpl.position - position;
+    float h = -dot(vpl.normal, v);
+    if (h <= 0.0f || dot(plane, v) <= 0.0f) return 0.0f;
+    float a = dot(v, v), r2 = vpl.bound;
+    float q = sqrt((a - r2) * (a - r2) + 4.0f * r2 * h * h);
+    float facing = a > r2 ? 2.0f * h * h / (q * (q + a - r2)) : (q + r2 - a) / (2.0f * r2 * q);
+    float aside = 2.0f * h / (q * (q + a + r2));
+    vec3 arrow = v * aside + vpl.normal * (h * aside - facing); // irradiance as a vector, per flux / pi
+    return disc_above_horizon(dot(normal, arrow), dot(arrow, arrow), r2);
+}
+
+// cos cos / (d^2 + bound): exact above the middle of a disc of that area, facing it; too dark in corners,
+// where both cosines are 0 at the edge. [Le2014, 3.2.2.2] has a small constant, and cosines of backs and
+// without a unit vector.
+LUXEL_FN float vpl_bounded_kernel(Vpl vpl, vec3 position, vec3 normal, vec3 plane, VplGatherParams p) {
     vec3 v = vpl.position - position;
     float d2 = max(dot(v, v), 1e-12f);
     if (dot(plane, v) <= 0.0f) return 0.0f;

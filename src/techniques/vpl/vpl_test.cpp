@@ -21,13 +21,16 @@ using glm::dvec3, glm::vec3, glm::vec4;
 struct GatherProbe final : Technique {
     VplTechniqueOptions options;
     Frame frame;
-    Vpls vpls;
+    VplSenders senders;
+    IsmPoints points;
     gpu::Image irradiance;
     Slot slot() const override { return Slot::post; }
     Contribution render(gpu::Recorder& recorder, const Frame& f) override {
         frame = f;
-        vpls = sample_vpls(recorder, reflective_shadow_maps(recorder, f, options.rsm), options.vpls);
-        irradiance = vpl_irradiance(recorder, f, vpls, options);
+        senders.vpls = sample_vpls(recorder, reflective_shadow_maps(recorder, f, options.rsm), options.vpls);
+        if (points.points)
+            senders.ism = imperfect_shadow_maps(recorder, f, points, senders.vpls, options.ism);
+        irradiance = vpl_irradiance(recorder, f, senders, options);
         return {};
     }
 };
@@ -52,6 +55,29 @@ VplTechniqueOptions small() {
     return o;
 }
 
+constexpr double pi = 3.14159265358979;
+
+// Irradiance of a disc of radiance 1 at v with normal m and radius sqrt(r2), as a vector, over pi r2: by the
+// closed forms of two planes.
+dvec3 disc_arrow(dvec3 v, dvec3 m, double r2) {
+    const double h = -glm::dot(m, v);
+    const dvec3 aside = v + h * m;
+    const double a = glm::dot(v, v), s = std::max(glm::length(aside), 1e-9);
+    const double q = std::sqrt((a + r2) * (a + r2) - 4.0 * r2 * s * s);
+    const double facing = pi / 2.0 * (1.0 - (a - r2) / q), along = pi * h / (2.0 * s) * ((a + r2) / q - 1.0);
+    return (along * aside / s - facing * m) / (pi * r2);
+}
+
+// What of it is above the horizon, by the sphere in its place.
+double disc_kernel(dvec3 v, dvec3 n, dvec3 m, double r2) {
+    if (glm::dot(m, v) >= 0.0) return 0.0;
+    const dvec3 arrow = disc_arrow(v, m, r2);
+    const double f = glm::length(arrow) * r2, t = glm::dot(n, glm::normalize(arrow)) / std::sqrt(f);
+    if (t >= 1.0) return glm::dot(n, arrow);
+    const double u = std::max(0.5 + 0.5 * t, 0.0), weight = 0.27 * f + 0.73 * std::pow(f, 8.0);
+    return std::pow(f, 1.5) / r2 * ((1.0 - weight) * u * u * (0.7 + 0.3 * u) + weight * u);
+}
+
 // The sum in doubles, each kernel by its definition.
 dvec3 brute_force(const std::vector<vec4>& texels, int count, dvec3 x, dvec3 n, dvec3 plane,
                   const VplTechniqueOptions& options) {
@@ -63,24 +89,30 @@ dvec3 brute_force(const std::vector<vec4>& texels, int count, dvec3 x, dvec3 n, 
             sum += flux * std::abs(glm::dot(n, v) * glm::dot(m, v)) / (glm::dot(v, v) + 1e-3);
             continue;
         }
+        if (options.mode == VplMode::disc) {
+            sum += flux / pi * disc_kernel(v, n, m, double(texels[3 * i].w)) *
+                   (glm::dot(plane, v) > 0.0 ? 1.0 : 0.0);
+            continue;
+        }
         const dvec3 w = glm::normalize(v);
         const double cosines = std::max(glm::dot(n, w), 0.0) * std::max(-glm::dot(m, w), 0.0);
         double kernel = cosines / (glm::dot(v, v) + double(texels[3 * i].w));
         if (options.clamp > 0.0f) kernel = std::min(cosines / glm::dot(v, v), double(options.clamp));
-        if (glm::dot(plane, w) > 0.0) sum += flux / 3.14159265358979 * kernel;
+        if (glm::dot(plane, w) > 0.0) sum += flux / pi * kernel;
     }
     return sum;
 }
 
 TEST_F(VplGatherTest, FullIsTheSumOverTheLights) {
-    for (int variant = 0; variant < 3; ++variant) {
+    for (int variant = 0; variant < 4; ++variant) {
         VplTechniqueOptions o = small();
-        if (variant == 1) o.clamp = 2.0f;
-        if (variant == 2) o.mode = VplMode::thesis;
+        if (variant > 0) o.mode = VplMode::bounded;
+        if (variant == 2) o.clamp = 2.0f;
+        if (variant == 3) o.mode = VplMode::thesis;
         const GatherProbe p = probe(cornell(), o, 48, 40);
-        const int count = gpu().read_all<int>(p.vpls.count).at(0);
+        const int count = gpu().read_all<int>(p.senders.vpls.count).at(0);
         EXPECT_GT(count, 60);
-        const std::vector<vec4> texels = gpu().read_all<vec4>(p.vpls.lights);
+        const std::vector<vec4> texels = gpu().read_all<vec4>(p.senders.vpls.lights);
         const Image depth = gpu().read(p.frame.gbuffer.depth), normal = gpu().read(p.frame.gbuffer.normal),
                     plane = gpu().read(p.frame.gbuffer.geometric_normal), e = gpu().read(p.irradiance);
         for (int y = 0; y < e.height; ++y)
@@ -96,6 +128,50 @@ TEST_F(VplGatherTest, FullIsTheSumOverTheLights) {
                     ASSERT_NEAR(e.at(x, y)[c], truth[c], 1e-5 * truth[c]) << variant << " " << x << "," << y;
             }
     }
+}
+
+// Of n.v / |v|^4 over a disc; what is below the horizon or not.
+double integral(const shared::Vpl& vpl, vec3 x, vec3 n, bool clipped) {
+    double sum = 0.0;
+    constexpr int steps = 400;
+    const double radius = std::sqrt(double(vpl.bound));
+    for (int i = 0; i < steps; ++i)
+        for (int k = 0; k < steps; ++k) {
+            const double r = radius * std::sqrt((i + 0.5) / steps), phi = 2.0 * pi * (k + 0.5) / steps;
+            const dvec3 v = dvec3(vpl.position) + r * dvec3(std::cos(phi), 0, std::sin(phi)) - dvec3(x);
+            const double c = glm::dot(v, dvec3(n));
+            if (!clipped || c > 0.0) sum += c * v.y / std::pow(glm::dot(v, v), 2.0);
+        }
+    return sum / (steps * steps);
+}
+
+const shared::Vpl ceiling_disc{vec3(0.3f, 1.0f, -0.2f), 0.09f, vec3(0, -1, 0), vec3(1)};
+
+// Below it, beside it, near its plane, and far away.
+TEST(VplKernels, TheDiscIsTheIntegralOverItsArea) {
+    const vec3 n = glm::normalize(vec3(-0.3f, 0.9f, 0.2f));
+    for (vec3 x : {vec3(0.3f, 0.8f, -0.2f), vec3(0.45f, 0.6f, 0), vec3(1.1f, 0.4f, 0.3f), vec3(9, -7, 3)}) {
+        const double kernel = double(shared::vpl_disc_kernel(ceiling_disc, x, n, n));
+        EXPECT_NEAR(kernel / integral(ceiling_disc, x, n, false), 1.0, 2e-3) << x.x;
+        EXPECT_EQ(shared::vpl_disc_kernel(ceiling_disc, vec3(x.x, 2, x.z), n, n), 0.0f); // from behind
+    }
+}
+
+// On walls that the disc's middle is a little before: in a corner the bounded point is dark, the disc is not.
+TEST(VplKernels, TheHorizonCutsTheDisc) {
+    const vec3 n(1, 0, 0);
+    for (float height : {0.03f, 0.1f, 0.3f})
+        for (float before : {0.01f, 0.1f, 0.2f}) {
+            const vec3 x = ceiling_disc.position - vec3(before, height, 0.05f);
+            const double truth = integral(ceiling_disc, x, n, true);
+            EXPECT_NEAR(double(shared::vpl_disc_kernel(ceiling_disc, x, n, n)), truth, 0.25 * truth)
+                << height << " " << before;
+        }
+    shared::VplGatherParams p{};
+    p.bounded = 1.0f, p.most = 1e30f;
+    const vec3 corner = ceiling_disc.position - vec3(0.1f, 0.03f, 0);
+    EXPECT_LT(double(shared::vpl_bounded_kernel(ceiling_disc, corner, n, n, p)),
+              0.6 * integral(ceiling_disc, corner, n, true));
 }
 
 // Every pixel of a surface is in one region, and no other is; also where the image is no multiple of a

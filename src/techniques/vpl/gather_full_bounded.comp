@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernel of vpl_params.h.
+// Lights as points, bounded.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define KERNEL KERNEL_BOUNDED
 #include "techniques/vpl/gather_full.glsl"
