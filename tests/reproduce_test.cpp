@@ -80,5 +80,22 @@ TEST(Reproduce, OcclusionHasRatiosOfTimesThatAreInProportion) {
     EXPECT_EQ(ratios, 4);
 }
 
+TEST(Reproduce, PhotonsHaveTimesByScene) {
+    const Json result = reproduce({"le-2014", "--scene", "builtin:ring", "--frames", "1"});
+    ASSERT_EQ(result.at("statements").size(), 12u); // 4 times, 4 leaks, 4 by the frame's size
+    expect_finite(result);
+    for (const Json& statement : result.at("statements")) {
+        EXPECT_TRUE(statement.at("holds").is_null()) << statement;
+        const double value = statement.at("values")[0];
+        if (contains(statement, "where the truth has none")) {
+            EXPECT_GE(value, 0.0) << statement;
+            EXPECT_LT(value, 20.0) << statement << ": everything is seen here";
+        } else {
+            EXPECT_GT(value, 0.05) << statement;
+            EXPECT_LT(value, 200.0) << statement;
+        }
+    }
+}
+
 } // namespace
 } // namespace luxel::testing

@@ -30,6 +30,7 @@ struct ReproduceSettings {
     int timed_frames = 5; // the rows take turns; fewer than 3 have no median to speak of
     TruthSettings truth;  // samples and seed; the rest is set here
     RunOptions run;       // device, cache, quiet
+    std::string data;     // folder of what scene files call data:...
     bool strict = false;
 };
 
@@ -47,6 +48,9 @@ Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& sett
 
 // What the resolutions of caustic triangles cost [Umenhoffer2009, ch. 6].
 Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& settings);
+
+// Photons and virtual lights in image space [Le2014, ch. 4].
+Reproduction reproduce_le_2014(const ReproduceSettings& settings);
 
 std::string format_reproduction(const Reproduction& reproduction);
 

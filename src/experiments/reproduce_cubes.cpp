@@ -4,42 +4,10 @@
 
 #include "experiments/reproduce_views.h"
 #include "experiments/statistics.h"
-#include "experiments/timing.h"
 
 namespace luxel {
 
 namespace {
-
-// Passes whose names begin with one prefix, but not with the other.
-struct Times {
-    std::string with, without;
-    std::optional<double> of(const std::vector<gpu::PassTime>& passes) const {
-        double sum = 0;
-        for (const gpu::PassTime& pass : passes)
-            if (pass.name.starts_with(with) && (without.empty() || !pass.name.starts_with(without)))
-                sum += pass.ms;
-        return sum > 0 ? std::optional(sum) : std::nullopt;
-    }
-};
-
-// The median over views of one row's own time over another's. Every claim is that it
-// takes longer.
-void add_ratio(Reproduction& out, const ReproduceSettings& settings, const std::vector<ViewResult>& views,
-               const Times& times, const std::string& subject, const std::string& claim, std::size_t row,
-               std::size_t base) {
-    const auto ratios = over_all(views, [&](const ViewResult& v) -> std::optional<double> {
-        const auto ms = times.of(v.rows[row].passes), of = times.of(v.rows[base].passes);
-        return ms && of ? std::optional(*ms / *of) : std::nullopt;
-    });
-    Statement statement = {subject, claim, not_measurable, {}, std::nullopt};
-    if (ratios) {
-        const double ratio = median(*ratios);
-        statement.values = {ratio};
-        statement.measured = fmt::format("{:.2f}", ratio);
-        if (settings.timed_frames >= fewest_timed_frames) statement.holds = ratio > 1;
-    }
-    out.statements.push_back(statement);
-}
 
 // Rows over the views that the settings ask for, or else over the cameras of one's own scenes.
 std::vector<ViewResult> measure(Reproduction& out, const ReproduceSettings& given,
@@ -75,13 +43,13 @@ Reproduction reproduce_umenhoffer_2009_diffuse(const ReproduceSettings& settings
         measure(out, settings, {"builtin:ball-room-face-0.02"}, {"direct", "diffuse1_unoccluded"}, uses);
     for (const std::size_t first : {0, 3})
         for (const std::size_t i : {first + 1, first + 2})
-            add_ratio(out, settings, views, {"envmap: envmap/gather", ""},
-                      fmt::format("{0}x{0} texels: time of {1} over classic", entries[i].texels,
-                                  entries[i].estimator),
-                      fmt::format("{:.1f} (GTX 260), {:.1f} (7900 GT)",
-                                  entries[first].gtx260 / entries[i].gtx260,
-                                  entries[first].gt7900 / entries[i].gt7900),
-                      i + 1, first + 1);
+            add_time_ratio(out, settings, views, {"envmap: envmap/gather", ""},
+                           fmt::format("{0}x{0} texels: time of {1} over classic", entries[i].texels,
+                                       entries[i].estimator),
+                           fmt::format("{:.1f} (GTX 260), {:.1f} (7900 GT)",
+                                       entries[first].gtx260 / entries[i].gtx260,
+                                       entries[first].gt7900 / entries[i].gt7900),
+                           i + 1, first + 1);
     for (const std::size_t first : {0, 3}) {
         const double polygon = mean_delta(views, first + 3), point = mean_delta(views, first + 2);
         add_order_of(out,
@@ -119,9 +87,9 @@ Reproduction reproduce_umenhoffer_2009_reflections(const ReproduceSettings& sett
                      mean_delta(views, better + 1), mean_delta(views, worse + 1));
     }
     for (std::size_t i = 1; i < std::size(depths); ++i)
-        add_ratio(out, settings, views, {"distance_map: ", ""},
-                  fmt::format("time at depth {} over depth 1", depths[i]), "little above 1", first_depth + i,
-                  first_depth);
+        add_time_ratio(out, settings, views, {"distance_map: ", ""},
+                       fmt::format("time at depth {} over depth 1", depths[i]), "little above 1",
+                       first_depth + i, first_depth);
     out.remarks = {
         "figures are mean errors of display values against direct light and reflections up to depth 8",
         "layers are front sides, back sides and all else, as the thesis ran; cubes of 256 where it had 512",
@@ -144,9 +112,10 @@ Reproduction reproduce_umenhoffer_2009_caustics(const ReproduceSettings& setting
     const auto views =
         measure(out, settings, {"builtin:metal-ring", "builtin:glass-sphere"}, {"direct"}, uses);
     const auto add = [&](std::size_t row, std::size_t base, const std::string& subject) {
-        add_ratio(out, settings, views, {"caustic_triangles: ", "caustic_triangles: cube: "}, subject,
-                  fmt::format("{:.2f}", entries[base].frames_per_second / entries[row].frames_per_second),
-                  row + 1, base + 1);
+        add_time_ratio(
+            out, settings, views, {"caustic_triangles: ", "caustic_triangles: cube: "}, subject,
+            fmt::format("{:.2f}", entries[base].frames_per_second / entries[row].frames_per_second), row + 1,
+            base + 1);
     };
     for (std::size_t i = 1; i < 4; ++i)
         add(i, 0, fmt::format("time of {0}x{0} photons over 32x32, cube of 256", entries[i].photons));

@@ -8,11 +8,12 @@ namespace luxel {
 constexpr int fewest_timed_frames = 3; // of which a median leaves an outlier out
 constexpr const char* not_measurable = "not measurable";
 
-// All views of all scenes, each with its rows in the order of `uses` behind the baseline.
+// All views of all scenes, each with its rows in the order of `uses` behind the baseline; `sink` sees their
+// pictures.
 std::vector<ViewResult> reproduce_views(const ReproduceSettings& settings, gpu::Gpu& gpu,
                                         const std::vector<std::string>& uses,
                                         const std::vector<std::string>& scenes, const TruthSettings& truth,
-                                        Reproduction& out);
+                                        Reproduction& out, const PictureSink& sink = {});
 
 // None where a view has none.
 template <class Value>
@@ -25,6 +26,16 @@ std::optional<std::vector<double>> over_all(const std::vector<ViewResult>& views
     }
     return values;
 }
+
+// Passes whose names begin with one prefix, but not with the other.
+struct PassTimes {
+    std::string_view with, without;
+    std::optional<double> of(const std::vector<gpu::PassTime>& passes) const;
+};
+// The median over views of one row's own time over another's. Every claim is that it takes longer.
+void add_time_ratio(Reproduction& out, const ReproduceSettings& settings,
+                    const std::vector<ViewResult>& views, const PassTimes& times, const std::string& subject,
+                    const std::string& claim, std::size_t row, std::size_t base);
 
 double mean_delta(const std::vector<ViewResult>& views, std::size_t row);
 // The claim that the first has the lower error.
