@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // First hits: one photon for each non-empty cell of the finest level of the flux pyramid that has no more of them than
-// photons are wanted [Le2014, 3.3.1.1]. It starts at one of the cell's specular pixels, drawn by flux, and carries
-// what all of them receive; the thesis drops cells that are specular in part.
+// photons are wanted [Le2014, 3.3.1.1]. It starts half way through the cell's flux, which keeps photons on a regular grid, and
+// carries all of it; the thesis drops cells that are specular in part.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -22,17 +22,62 @@ layout(binding = 9, scalar) writeonly buffer photons { Photon photon_of[]; };
 
 float strength(vec3 flux) { return dot(flux, vec3(0.2126, 0.7152, 0.0722)); }
 
-void send(Photon photon, Scattered to) {
+// The ray that ideal surfaces send from a pixel's center.
+struct Sent {
+    vec3 position, normal, direction;
+    bool there;
+};
+Sent sent_from(ivec2 pixel, bool refracts) {
+    Sent s;
+    s.there = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(p.view.width, p.view.height))) &&
+              texelFetch(sums, pixel, 0).a > 0.0;
+    s.position = world_position(p.view, vec2(pixel) + 0.5, texelFetch(depth, pixel, 0).r);
+    s.normal = texelFetch(normal, pixel, 0).xyz;
+    vec3 d = -sample_light(p.light, s.position).wi;
+    float ior = texelFetch(direct, pixel, 0).a;
+    bool inside = texelFetch(geometric_normal, pixel, 0).a < 0.0 && ior < THIN_IOR;
+    s.direction = refracts ? refracted_by_glass(d, s.normal, ior, inside).direction : reflect(d, s.normal);
+    return s;
+}
+
+// Differences to the next pixel on the same smooth surface, to one side or the other; there = false: none.
+Sent difference(Sent here, ivec2 pixel, ivec2 step, bool refracts) {
+    for (int side = 1; side >= -1; side -= 2) {
+        Sent next = sent_from(pixel + side * step, refracts);
+        vec3 way = next.position - here.position;
+        bool smooth_way = next.there && dot(next.normal, here.normal) > 0.8 &&
+                          abs(dot(way, here.normal)) < 0.5 * length(way) && dot(next.direction, next.direction) > 0.0;
+        if (smooth_way)
+            return Sent(way * float(side), vec3(0), (next.direction - here.direction) * float(side), true);
+    }
+    return Sent(vec3(0), vec3(0), vec3(0), false);
+}
+
+// width: pixels a side of the square that the photon stands for.
+void find_neighbors(ivec2 pixel, bool refracts, float width, inout Photon photon) {
+    Sent here = sent_from(pixel, refracts);
+    Sent x = difference(here, pixel, ivec2(1, 0), refracts), y = difference(here, pixel, ivec2(0, 1), refracts);
+    photon.differential = x.there && y.there ? 1u : 0u;
+    photon.place_x = x.position * width;
+    photon.turn_x = x.direction * width;
+    photon.place_y = y.position * width;
+    photon.turn_y = y.direction * width;
+}
+
+// width = 0: a lobe, whose directions are not the neighbors'.
+void send(Photon photon, Scattered to, ivec2 pixel, bool refracts, float width) {
     if (max(to.weight.r, max(to.weight.g, to.weight.b)) <= 0.0) return;
     photon.direction = to.direction;
     photon.power *= to.weight;
+    if (p.differential == 0u || width <= 0.0) photon.differential = 0u;
+    else find_neighbors(pixel, refracts, width, photon);
     photon.inside = to.inside ? 1u : 0u;
     uint index = atomicAdd(count_of[PHOTON_COUNT], 1u);
     if (index < uint(p.capacity)) photon_of[index] = photon;
 }
 
-// A pixel of the cell, with a chance proportional to its flux: from level to level, the random number used up on the way.
-ivec2 draw_pixel(ivec2 cell, int level, float u) {
+// The pixel of the cell that has a share u of its flux before it, from level to level.
+ivec2 pixel_at_share(ivec2 cell, int level, float u) {
     while (level > 0) {
         --level;
         cell *= 2;
@@ -60,7 +105,7 @@ void main() {
     if (sum.a == 0.0 || (p.mixed == 0u && sum.a < float(1 << (2 * level)))) return;
     uint key = uint(cell.y) * uint(p.view.width) + uint(cell.x);
     vec3 u = random3(key, 0u, p.seed);
-    ivec2 pixel = draw_pixel(cell, level, u.z);
+    ivec2 pixel = pixel_at_share(cell, level, 0.5);
 
     // What is left of the light, and how wide the part of it is that the cell stands for.
     vec3 flux = texelFetch(sums, pixel, 0).rgb;
@@ -77,11 +122,12 @@ void main() {
     if (!parallel) photon.beam /= light.distance * light.distance;
     photon.parallel = parallel ? 1u : 0u;
 
-    float ior = texelFetch(direct, pixel, 0).a;
+    float ior = texelFetch(direct, pixel, 0).a, width = sqrt(pixels);
     vec3 n = texelFetch(normal, pixel, 0).xyz, d = -light.wi;
     if (ior <= 0.0) {
         vec4 f = texelFetch(specular, pixel, 0);
-        send(photon, reflect_photon(d, n, f.rgb, f.a, texelFetch(diffuse, pixel, 0).a, u.xy));
+        float roughness = texelFetch(diffuse, pixel, 0).a;
+        send(photon, reflect_photon(d, n, f.rgb, f.a, roughness, u.xy), pixel, false, roughness > 0.0 ? 0.0 : width);
         return;
     }
     bool inside = texelFetch(geometric_normal, pixel, 0).a < 0.0 && ior < THIN_IOR;
@@ -90,11 +136,11 @@ void main() {
     if (p.both != 0u) {
         mirrored.weight *= reflectance;
         refracted.weight *= 1.0 - reflectance;
-        send(photon, mirrored);
-        send(photon, refracted);
+        send(photon, mirrored, pixel, false, width);
+        send(photon, refracted, pixel, true, width);
     } else if (u.x < reflectance) {
-        send(photon, mirrored);
+        send(photon, mirrored, pixel, false, width);
     } else {
-        send(photon, refracted);
+        send(photon, refracted, pixel, true, width);
     }
 }

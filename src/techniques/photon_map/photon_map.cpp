@@ -19,7 +19,10 @@ void PhotonOptions::visit(Visitor& v) {
     v.flag("both", both, "glass met first reflects and refracts; else one of them by chance");
     v.flag("mixed", mixed, "cells of the shadow map that are specular in part send photons, too");
     v.choice("kernel", kernel, {"cone", "gaussian"}, "of a photon's disc");
-    v.real("share", share, {0.1, 1000}, "photons that a disc holds where nothing focuses the beam");
+    v.choice(
+        "disc", disc, {"beam", "differential"},
+        "a photon's disc is as wide as its part of the beam were unfocused, or as its neighbors' rays say");
+    v.real("share", share, {0.1, 1000}, "photons that a disc holds");
     v.integer("scale", scale, {1, 8}, "pixels a side of the frame for each that photons are splatted on");
     rsm.visit(v);
 }

@@ -10,6 +10,7 @@ namespace luxel {
 
 enum class PhotonCapture { camera, box };
 enum class PhotonTracer { march, lines, layers };
+enum class PhotonDisc { beam, differential };
 enum class PhotonKernel { cone, gaussian };
 
 struct PhotonBuffers {
@@ -29,6 +30,7 @@ struct PhotonOptions {
     int bounces = 4;
     bool both = true, mixed = true;
     PhotonKernel kernel = PhotonKernel::cone;
+    PhotonDisc disc = PhotonDisc::differential;
     float share = 12.0f;
     int scale = 1;
     void visit(Visitor& v);

@@ -19,9 +19,11 @@ struct Photon {
     uint inside;     // 1 = of glass
     vec3 power;      // W
     float travelled; // m from the light
-    float beam;      // its cross section is beam x travelled^2, or (parallel) beam; of one that arrived: the
-                     // area that it would light, had nothing focused it, m2
+    float beam;      // its cross section is beam x travelled^2, or (parallel) beam, had nothing focused it
     uint parallel;
+    uint differential;    // 1 = the neighbors' rays are known, on the first ray
+    vec3 place_x, turn_x; // how position and direction change to a neighbor; of one that arrived: place_x and
+    vec3 place_y, turn_y; // place_y span what its part of the beam lights
 };
 
 // How a photon's ray ended.
@@ -48,8 +50,9 @@ struct PhotonEmitParams {
     int capacity; // of the buffer
     int levels;
     uint seed;
-    uint both;  // 1 = glass reflects and refracts, 0 = one of them by chance
-    uint mixed; // 1 = cells that are specular in part send photons, too
+    uint differential; // 1 = photons know their neighbors' rays
+    uint both;         // 1 = glass reflects and refracts, 0 = one of them by chance
+    uint mixed;        // 1 = cells that are specular in part send photons, too
 };
 
 struct PhotonTraceParams {
@@ -60,7 +63,7 @@ struct PhotonTraceParams {
 };
 
 struct PhotonScatterParams {
-    vec3 center;
+    ListView view;
     uint last; // 1 = no bounce is left
     uint bounce, seed;
     int most;
@@ -69,21 +72,25 @@ struct PhotonScatterParams {
 struct PhotonSplatParams {
     ViewParams view; // of the frame, at the splats' resolution
     vec3 center;
-    float share; // photons that a disc holds where the beam is as wide as it left
-    float least; // radius, pixels
-    float delta; // of the Gaussian
+    float reach;       // radii of a disc over what the photon's part of the beam lights
+    float least;       // radius, pixels
+    float most_radius; // m
+    float delta;       // of the Gaussian
+    float shift; // from a coarse pixel's center to that of the frame's pixel that it shows, coarse pixels
     int most;
 };
 
 LUXEL_CONST float LEAST_COSINE = 0.1f; // of arriving light: discs grow no more
 
-// Energy that a disc of radius h holds at distance r from its center, per area [Le2014, 3.3.2.3], scaled so
-// that the integral over the disc is 1: the thesis's cone keeps a third.
-LUXEL_FN float photon_cone(float r, float h) { return 3.0f / (PI * h * h) * max(1.0f - r / h, 0.0f); }
-LUXEL_FN float photon_gaussian(float r, float h, float delta) {
-    if (r > h) return 0.0f;
-    float q = r / h;
-    return exp(-q * q / (2.0f * delta)) / (2.0f * PI * delta * h * h * (1.0f - exp(-1.0f / (2.0f * delta))));
+// Energy at a share q of the radii of an elliptic disc of area pi r1 r2, per area [Le2014, 3.3.2.3], scaled
+// so that the integral over the disc is 1: the thesis's cone keeps a third.
+LUXEL_FN float photon_cone(float q, float r1, float r2) {
+    return 3.0f / (PI * r1 * r2) * max(1.0f - q, 0.0f);
+}
+LUXEL_FN float photon_gaussian(float q, float r1, float r2, float delta) {
+    if (q > 1.0f) return 0.0f;
+    return exp(-q * q / (2.0f * delta)) /
+           (2.0f * PI * delta * r1 * r2 * (1.0f - exp(-1.0f / (2.0f * delta))));
 }
 
 LUXEL_END

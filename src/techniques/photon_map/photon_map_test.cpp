@@ -79,6 +79,31 @@ TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
         EXPECT_NEAR(received(scene, use) / all, 1.0, 0.02) << use;
 }
 
+// Away from the outline the ceiling is lit as by the lamp's image: discs of a regular beam add up to a smooth
+// whole.
+TEST_F(PhotonMapTest, TheBeamOfAPlaneMirrorIsSmooth) {
+    const Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    const CameraBasis b = camera_basis(scene.cameras[0], side, side);
+    for (const char* use : {"photon_map:photons=2000", "photon_map:photons=2000,disc=beam"}) {
+        const Image image = caustics(scene, use);
+        double error = 0, count = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const vec3 d = pixel_direction(b, side, side, {float(x) + 0.5f, float(y) + 0.5f});
+                const vec3 at = b.position + d * ((ceiling - b.position.y) / d.y);
+                const vec3 from_image = at - vec3(lamp.x, -lamp.y, lamp.z);
+                const vec3 on_mirror = vec3(lamp.x, -lamp.y, lamp.z) + from_image * (lamp.y / from_image.y);
+                if (std::max(std::abs(on_mirror.x), std::abs(on_mirror.z)) > 0.8f * half_mirror) continue;
+                const float cosine = from_image.y / glm::length(from_image);
+                const float exact = intensity * cosine / glm::dot(from_image, from_image) *
+                                    shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
+                error += std::abs(image.rgb(x, y).g * shared::PI / albedo / exact - 1.0f), ++count;
+            }
+        ASSERT_GT(count, 200) << use;
+        EXPECT_LT(error / count, 0.03) << use;
+    }
+}
+
 // A strip of three pixels of the shadow map is nowhere specular over a whole cell; the thesis's way loses it.
 TEST_F(PhotonMapTest, AThinMirrorKeepsItsLight) {
     const Scene scene = mirror_under_ceiling(0.0125f, half_mirror);

@@ -58,6 +58,7 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
                                          .capacity = most,
                                          .levels = int(levels),
                                          .seed = shared::hash2(seed, shared::uint(i)),
+                                         .differential = options.disc == PhotonDisc::differential,
                                          .both = options.both,
                                          .mixed = options.mixed};
         recorder.dispatch("photon_map/emit.comp", extent_of(pyramids[i]), p,
@@ -123,13 +124,14 @@ void follow_photons(gpu::Recorder& recorder, const FragmentLists& lists, const P
     auto scope = recorder.scope("trace");
     for (int bounce = 1; bounce <= options.bounces; ++bounce) {
         trace_photons(recorder, lists, photons, options);
-        const shared::PhotonScatterParams p{.center = lists.view().center,
+        const shared::PhotonScatterParams p{.view = lists.view(),
                                             .last = bounce == options.bounces,
                                             .bounce = shared::uint(bounce),
                                             .seed = seed,
                                             .most = photons.most};
         recorder.dispatch("photon_map/scatter.comp", {std::uint32_t(photons.most)}, p,
-                          {lists.bindings()[1],
+                          {lists.bindings()[0],
+                           lists.bindings()[1],
                            {"shading", lists.shading()},
                            {"materials", lists.materials()},
                            {"photons", photons.photons},

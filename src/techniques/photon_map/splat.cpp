@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Photons as discs on the frame [Le2014, 3.3.2.3 and 3.3.2.4].
+#include <cmath>
+
 #include "techniques/photon_map/photon_map.h"
 
 namespace luxel {
@@ -27,9 +29,11 @@ gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const 
     // Coarse pixels are pixels of the frame; their view is the frame's, cut into fewer.
     shared::PhotonSplatParams p{.view = frame.view,
                                 .center = center,
-                                .share = options.share,
+                                .reach = std::sqrt(options.share / shared::PI),
                                 .least = least_radius,
+                                .most_radius = 0.25f * frame.scene->bounds().radius(),
                                 .delta = delta,
+                                .shift = (std::floor(float(step) / 2) + 0.5f) / float(step) - 0.5f,
                                 .most = photons.most};
     p.view.width /= float(step), p.view.height /= float(step);
     const gpu::Image sum = recorder.image(size, "photon splats");
