@@ -62,11 +62,12 @@ gpu::Image gather_full(gpu::Recorder& recorder, const Frame& frame, const VplSen
     return irradiance;
 }
 
-gpu::Image gather_multires(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
-                           const VplTechniqueOptions& options) {
-    const VplRegions regions = vpl_regions(recorder, frame, options.regions);
+} // namespace
+
+void vpl_shade(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
+               const VplTechniqueOptions& options, const VplRegions& regions) {
     shared::VplGatherParams p = gather_params(frame, senders, options);
-    for (; p.level < options.regions.levels; ++p.level) {
+    for (; p.level <= regions.params.coarsest; ++p.level) {
         gpu::Bindings bindings = gather_bindings(frame, senders);
         bindings.insert(bindings.end(), {{"irradiance", regions.cells.mip(std::uint32_t(p.level))},
                                          {"regions", regions.lists[std::size_t(p.level)]},
@@ -74,16 +75,15 @@ gpu::Image gather_multires(gpu::Recorder& recorder, const Frame& frame, const Vp
         recorder.dispatch_indirect(variant("vpl/gather_regions", senders, options), regions.arguments,
                                    std::uint64_t(p.level) * 3 * sizeof(std::uint32_t), p, bindings);
     }
-    return vpl_interpolate(recorder, regions);
 }
-
-} // namespace
 
 gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
                           const VplTechniqueOptions& options) {
     auto scope = recorder.scope("gather");
-    return options.gather == VplGather::full ? gather_full(recorder, frame, senders, options)
-                                             : gather_multires(recorder, frame, senders, options);
+    if (options.gather == VplGather::full) return gather_full(recorder, frame, senders, options);
+    const VplRegions regions = vpl_regions(recorder, frame, options.regions);
+    vpl_shade(recorder, frame, senders, options, regions);
+    return vpl_interpolate(recorder, regions);
 }
 
 void VplTechnique::prepare(gpu::Gpu& gpu, const Scene& scene) {

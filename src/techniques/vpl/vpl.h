@@ -41,6 +41,9 @@ struct VplSenders {
     Vpls vpls;
     IsmMaps ism;
 };
+// Irradiance of all regions, into regions.cells.
+void vpl_shade(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
+               const VplTechniqueOptions& options, const VplRegions& regions);
 // Irradiance of the frame's pixels, RGBA32F; a = 1 where there is a surface.
 gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
                           const VplTechniqueOptions& options);

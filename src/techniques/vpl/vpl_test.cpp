@@ -251,5 +251,46 @@ TEST_F(VplGatherTest, MultiresIsCloseToFull) {
     EXPECT_EQ(a.data, c.data);
 }
 
+// Every combination of options draws without a complaint and adds light; without lamps there is none.
+TEST_F(VplGatherTest, AllOptionsAddLight) {
+    Scene lit = cornell(), dark = cornell();
+    for (Material& m : dark.materials) m.emission = vec3(0);
+    for (const char* use : {"vpl:vpls=32,rsm_size=64", "vpl:vpls=32,rsm_size=64,gather=multires",
+                            "vpl:vpls=32,rsm_size=64,gather=multires,mode=bounded,clamp=3,pattern=grid",
+                            "vpl:vpls=32,rsm_size=64,gather=multires,mode=thesis,levels=1",
+                            "vpl:vpls=32,rsm_size=64,visibility=imperfect_shadow_maps,ism_points=256",
+                            "vpl:vpls=32,rsm_size=64,visibility=imperfect_shadow_maps,gather=multires"})
+        for (const Scene* scene : {&lit, &dark}) {
+            std::unique_ptr<Technique> vpl = make_technique(parse_specification(use));
+            const RenderResult r = Renderer(gpu(), *scene, {.emitter_lights = 0})
+                                       .render({.camera = scene->cameras[0],
+                                                .width = 40,
+                                                .height = 30,
+                                                .techniques = {vpl.get()},
+                                                .images = {"vpl radiance"}});
+            float sum = 0.0f;
+            for (float v : r.images.at("vpl radiance").data) sum += v;
+            const float alpha = 40.0f * 30.0f;
+            if (scene == &lit) {
+                EXPECT_GT(sum - alpha, 1.0f) << use;
+            } else {
+                EXPECT_EQ(sum, alpha) << use;
+            }
+        }
+}
+
+TEST_F(VplGatherTest, ShadowMapsAreForDiscs) {
+    const Scene scene = cornell();
+    std::unique_ptr<Technique> vpl =
+        make_technique(parse_specification("vpl:mode=thesis,visibility=imperfect_shadow_maps"));
+    try {
+        Renderer(gpu(), scene, {.emitter_lights = 0})
+            .render({.camera = scene.cameras[0], .width = 8, .height = 8, .techniques = {vpl.get()}});
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.fault(), Fault::usage);
+    }
+}
+
 } // namespace
 } // namespace luxel
