@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Irradiance from all virtual point lights. KERNEL: KERNEL_DISC, KERNEL_BOUNDED or KERNEL_THESIS, at compile time:
-// CPU drivers execute untaken branches. SHADOWED: with imperfect shadow maps.
+// Irradiance from all virtual point lights. KERNEL: KERNEL_DISC, KERNEL_BOUNDED or KERNEL_THESIS, at compile
+// time: CPU drivers execute untaken branches. SHADOWED: with imperfect shadow maps.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/vpl/vpl_params.h"
@@ -32,9 +32,9 @@ Vpl vpl_at(int i) {
 }
 
 #ifdef SHADOWED
-// Whether nothing is nearer to the light than the receiver, which moves along its normal so far that its own plane
-// cannot shadow it: by half a texel's diagonal times the share of the plane's slope, as in docs/frame.md, and as
-// far again for the points, which lie anywhere in their texels.
+// Whether nothing is nearer to the light than the receiver, which moves along its normal so far that its own
+// plane cannot shadow it: by half a texel's diagonal times the share of the plane's slope, as in docs/frame.md,
+// and as far again for the points, which lie anywhere in their texels.
 float visibility(int i, Vpl vpl, Receiver r) {
     mat3 around = frame_around(vpl.normal);
     vec3 v = r.position - vpl.position, w = normalize(v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The next finer level inside of each cell that has data: the parabolas through it and the cells beside it that
-// lie on the same surface and have data, of 3x3 [Le2014, alg. 3.2, there weighted means].
+// The next finer level inside of each cell that has data: parabolas through it and the cells beside it, of 3x3,
+// that lie on the same surface and have data [Le2014, alg. 3.2, there weighted means].
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -54,15 +54,15 @@ void main() {
     if (e.a <= 0.0) return; // its parts are shaded by themselves
 
     Place here = place_of(cell);
-    vec4 beside[4] = vec4[4](step_to(cell, ivec2(-1, 0), e.rgb, here), step_to(cell, ivec2(1, 0), e.rgb, here),
-                             step_to(cell, ivec2(0, -1), e.rgb, here), step_to(cell, ivec2(0, 1), e.rgb, here));
+    vec4 left = step_to(cell, ivec2(-1, 0), e.rgb, here), right = step_to(cell, ivec2(1, 0), e.rgb, here);
+    vec4 above = step_to(cell, ivec2(0, -1), e.rgb, here), below = step_to(cell, ivec2(0, 1), e.rgb, here);
     for (int k = 0; k < 4; ++k) {
         ivec2 s = ivec2(2 * (k & 1) - 1, k - (k & 1) - 1);
-        vec3 value = e.rgb + along(beside[0], beside[1], 0.25 * float(s.x)) +
-                     along(beside[2], beside[3], 0.25 * float(s.y));
+        vec3 value = e.rgb + along(left, right, 0.25 * float(s.x)) +
+                     along(above, below, 0.25 * float(s.y));
 
         // The twist of the quadrant.
-        vec4 x = beside[k & 1], y = beside[2 + (k >> 1)];
+        vec4 x = (k & 1) == 0 ? left : right, y = k < 2 ? above : below;
         if (x.a * y.a > 0.0) {
             vec4 corner = step_to(cell, s, e.rgb, here);
             value += corner.a * 0.0625 * (corner.rgb - x.rgb - y.rgb);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws one point into one light's map: the texels whose rays meet its disc, and always the one that it is in.
+// Draws one point into one light's map: the texels whose rays meet its disc, always the one that it is in.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

@@ -13,7 +13,8 @@ void main() {
     for (int k = 0; k < 4; ++k) {
         ivec2 pixel = 2 * cell + ivec2(k & 1, k >> 1);
         bool inside = all(lessThan(pixel, size));
-        vec4 v = inside ? vec4(texelFetch(geometric_normal, pixel, 0).xyz, texelFetch(depth, pixel, 0).r) : vec4(0);
+        vec4 v = vec4(0);
+        if (inside) v = vec4(texelFetch(geometric_normal, pixel, 0).xyz, texelFetch(depth, pixel, 0).r);
         low = min(low, v), high = max(high, v);
     }
     store_range(cell, low, high);

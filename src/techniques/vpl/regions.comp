@@ -16,7 +16,8 @@ shared int in_group, first;
 
 bool is_valid(ivec2 cell) {
     ivec2 pixel = cell << p.level;
-    if (any(greaterThanEqual(pixel, textureSize(depth, 0))) || texelFetch(depth, pixel, 0).r <= 0.0) return false;
+    if (any(greaterThanEqual(pixel, textureSize(depth, 0)))) return false;
+    if (texelFetch(depth, pixel, 0).r <= 0.0) return false;
     if (p.level > 0 && texelFetch(divided, cell, p.level - 1).r > 0.0) return false;
     return p.level == p.coarsest || texelFetch(divided, cell >> 1, p.level).r > 0.0;
 }
