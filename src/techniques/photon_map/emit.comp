@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// First hits: one photon for each non-empty cell of the finest level of the flux pyramid that has no more of them than
-// photons are wanted [Le2014, 3.3.1.1]. It starts half way through the cell's flux, which keeps photons on a regular grid, and
-// carries all of it; the thesis drops cells that are specular in part.
+// One photon for each picked cell. It starts half way through the cell's flux, which keeps photons on a regular grid, and
+// carries all of it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/photon_map/photon_map_params.h"
 #include "techniques/photon_map/surface.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in; // PHOTON_GROUP
 layout(binding = 0, scalar) uniform params { PhotonEmitParams p; };
 layout(binding = 1) uniform sampler2D sums;
 layout(binding = 2) uniform sampler2D depth;
@@ -18,6 +17,7 @@ layout(binding = 5) uniform sampler2D diffuse;
 layout(binding = 6) uniform sampler2D specular;
 layout(binding = 7) uniform sampler2D direct; // a = signed_ior
 layout(binding = 8, scalar) buffer counts { uint count_of[]; };
+layout(binding = 10, scalar) readonly buffer picked { PickedCells cells; uint cell_of[]; };
 layout(binding = 9, scalar) writeonly buffer photons { Photon photon_of[]; };
 
 float strength(vec3 flux) { return dot(flux, vec3(0.2126, 0.7152, 0.0722)); }
@@ -97,15 +97,13 @@ ivec2 pixel_at_share(ivec2 cell, int level, float u) {
 }
 
 void main() {
-    int level = 0;
-    while (level + 1 < p.levels && count_of[PHOTON_LEVELS + level] > uint(p.most)) ++level;
-    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(cell, textureSize(sums, level)))) return;
-    vec4 sum = texelFetch(sums, cell, level);
-    if (sum.a == 0.0 || (p.mixed == 0u && sum.a < float(1 << (2 * level)))) return;
+    uint place = gl_GlobalInvocationID.x;
+    if (place + 1u >= cells.end) return;
+    ivec2 cell = ivec2(cell_of[place] & 0xFFFFu, cell_of[place] >> 16);
+    vec4 sum = texelFetch(sums, cell, cells.level);
     uint key = uint(cell.y) * uint(p.view.width) + uint(cell.x);
     vec3 u = random3(key, 0u, p.seed);
-    ivec2 pixel = pixel_at_share(cell, level, 0.5);
+    ivec2 pixel = pixel_at_share(cell, cells.level, 0.5);
 
     // What is left of the light, and how wide the part of it is that the cell stands for.
     vec3 flux = texelFetch(sums, pixel, 0).rgb;

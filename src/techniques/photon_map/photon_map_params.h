@@ -42,17 +42,28 @@ struct PhotonFluxParams {
     int level;
 };
 
+struct PhotonPickParams {
+    int most; // photons
+    int levels;
+    uint mixed; // 1 = cells that are specular in part send photons, too
+};
+
+// Cells of one shadow map that send a photon each; the cells follow, x + y 2^16. Filled with ones at first.
+LUXEL_CONST uint PHOTON_GROUP = 64u;
+struct PickedCells {
+    uvec3 groups; // of the dispatch over them
+    uint end;     // their number + 1
+    int level;
+};
+
 struct PhotonEmitParams {
     ViewParams view; // of the reflective shadow map
     Light light;
     vec3 center;  // of the lists
-    int most;     // photons
-    int capacity; // of the buffer
-    int levels;
+    int capacity; // photons in the buffer
     uint seed;
     uint differential; // 1 = photons know their neighbors' rays
     uint both;         // 1 = glass reflects and refracts, 0 = one of them by chance
-    uint mixed;        // 1 = cells that are specular in part send photons, too
 };
 
 struct PhotonTraceParams {

@@ -32,7 +32,7 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
                            const PhotonOptions& options) {
     auto scope = recorder.scope("emit");
     gpu::Gpu& gpu = recorder.gpu();
-    const int most = options.photons * (options.both ? 2 : 1);
+    const int cells = std::max(options.photons, int(views.size())), most = cells * (options.both ? 2 : 1);
     PhotonBuffers b{.photons = gpu.buffer(std::uint64_t(most) * sizeof(shared::Photon), "photons"),
                     .hits = gpu.buffer(std::uint64_t(most) * sizeof(shared::PhotonHit), "photon hits"),
                     .counts =
@@ -47,30 +47,33 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
         levels = std::max(levels, pyramids.back().info().mips);
     }
 
-    // The level is chosen on the GPU, so that many of these threads have nothing to do.
     for (std::size_t i = 0; i < views.size(); ++i) {
         const RsmView& view = views[i];
+        const gpu::Buffer picked =
+            gpu.buffer(sizeof(shared::PickedCells) + 4 * std::uint64_t(cells), "photon cells");
+        recorder.fill(picked, 1);
+        recorder.dispatch("photon_map/pick.comp", extent_of(pyramids[i]),
+                          shared::PhotonPickParams{cells, int(levels), options.mixed},
+                          {{"sums", pyramids[i]}, {"counts", b.counts}, {"picked", picked}});
         const GBuffer& g = view.seen.gbuffer;
         const shared::PhotonEmitParams p{.view = view.seen.view,
                                          .light = view.light,
                                          .center = center,
-                                         .most = options.photons,
                                          .capacity = most,
-                                         .levels = int(levels),
                                          .seed = shared::hash2(seed, shared::uint(i)),
                                          .differential = options.disc == PhotonDisc::differential,
-                                         .both = options.both,
-                                         .mixed = options.mixed};
-        recorder.dispatch("photon_map/emit.comp", extent_of(pyramids[i]), p,
-                          {{"sums", pyramids[i]},
-                           {"depth", g.depth},
-                           {"normal", g.normal},
-                           {"geometric_normal", g.geometric_normal},
-                           {"diffuse", g.diffuse},
-                           {"specular", g.specular},
-                           {"direct", view.seen.direct},
-                           {"counts", b.counts},
-                           {"photons", b.photons}});
+                                         .both = options.both};
+        recorder.dispatch_indirect("photon_map/emit.comp", picked, 0, p,
+                                   {{"sums", pyramids[i]},
+                                    {"depth", g.depth},
+                                    {"normal", g.normal},
+                                    {"geometric_normal", g.geometric_normal},
+                                    {"diffuse", g.diffuse},
+                                    {"specular", g.specular},
+                                    {"direct", view.seen.direct},
+                                    {"picked", picked},
+                                    {"counts", b.counts},
+                                    {"photons", b.photons}});
     }
     return b;
 }
