@@ -68,6 +68,7 @@ void find_neighbors(ivec2 pixel, bool refracts, float width, inout Photon photon
 void send(Photon photon, Scattered to, ivec2 pixel, bool refracts, float width) {
     if (max(to.weight.r, max(to.weight.g, to.weight.b)) <= 0.0) return;
     photon.direction = to.direction;
+    photon.key = hash2(photon.key, refracts ? 1u : 0u);
     photon.power *= to.weight;
     if (p.differential == 0u || width <= 0.0) photon.differential = 0u;
     else find_neighbors(pixel, refracts, width, photon);
@@ -119,6 +120,7 @@ void main() {
     photon.beam = pixels * strength(flux) / max(strength(light.irradiance), 1e-30);
     if (!parallel) photon.beam /= light.distance * light.distance;
     photon.parallel = parallel ? 1u : 0u;
+    photon.key = hash2(key, p.seed);
 
     float ior = texelFetch(direct, pixel, 0).a, width = sqrt(pixels);
     vec3 n = texelFetch(normal, pixel, 0).xyz, d = -light.wi;

@@ -21,6 +21,7 @@ struct Photon {
     float travelled; // m from the light
     float beam;      // its cross section is beam x travelled^2, or (parallel) beam, had nothing focused it
     uint parallel;
+    uint key;             // of its random numbers: the same in each frame, whatever the order of the photons
     uint differential;    // 1 = the neighbors' rays are known, on the first ray
     vec3 place_x, turn_x; // how position and direction change to a neighbor; of one that arrived: place_x and
     vec3 place_y, turn_y; // place_y span what its part of the beam lights

@@ -67,7 +67,7 @@ void main() {
         photon.state = PHOTON_LOST;
     } else {
         vec3 n = normal_at(photon.position, node, unpack_unit(shading_of[hit.node])), d = photon.direction;
-        vec3 u = random3(i, p.bounce, p.seed);
+        vec3 u = random3(photon.key, p.bounce, p.seed);
         bool inside = photon.inside != 0u, through = refracts(d, n, m, inside, u.z);
         Scattered to = scatter(d, n, m, inside, through, u.xy);
 

@@ -7,7 +7,7 @@
 namespace luxel {
 namespace {
 
-// A cone of this radius in pixels keeps its energy on the pixels' grid within 1 %.
+// A cone of this radius in pixels keeps its energy within 2 %, wherever its middle lies on their grid.
 constexpr float least_radius = 2.0f;
 // With it the Gaussian spreads light as far as the cone does: their second moments over the disc are 2 delta
 // h^2 (but for its end) and 3/10 h^2.

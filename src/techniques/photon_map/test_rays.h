@@ -59,7 +59,8 @@ inline PhotonBuffers upload_rays(gpu::Gpu& gpu, const std::vector<TestRay>& rays
                            .power = glm::vec3(1.0f),
                            .travelled = 0.0f,
                            .beam = 0.0f,
-                           .parallel = 1u});
+                           .parallel = 1u,
+                           .key = 0u});
     std::vector<shared::uint> counts(shared::PHOTON_LEVELS + shared::PHOTON_MAX_LEVELS, 0u);
     counts[shared::PHOTON_COUNT] = shared::uint(rays.size());
     const std::vector<shared::PhotonHit> none(rays.size(), shared::PhotonHit{0.0f, -2, 0, 0});
