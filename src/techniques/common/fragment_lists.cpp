@@ -31,7 +31,7 @@ shared::ListView list_view(const glm::mat4& world_to_clip, const Axes& axes, con
     v.center = scene.center();
     v.to_pixel = to_pixel(world_to_clip, axes, v.center, side);
     v.side = side;
-    v.levels = std::bit_width(unsigned(side));
+    v.levels = 1 + std::countr_zero(unsigned(side)); // as long as four cells are one of the next level
     v.longest = 2.0f * scene.radius() + glm::length(axes.position - v.center);
     v.pixel = 2.0f * std::max(glm::length(axes.right), glm::length(axes.up)) / float(side);
     return v;

@@ -6,10 +6,10 @@ layout(binding = 0) uniform sampler2D from;
 layout(binding = 1, rg32f) uniform writeonly image2D to;
 
 void main() {
-    ivec2 cell = ivec2(gl_GlobalInvocationID.xy), last = textureSize(from, 0) - 1;
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(cell, imageSize(to)))) return;
     vec2 most = vec2(-1e30);
     for (int i = 0; i < 4; ++i)
-        most = max(most, texelFetch(from, min(2 * cell + ivec2(i & 1, i >> 1), last), 0).rg);
+        most = max(most, texelFetch(from, 2 * cell + ivec2(i & 1, i >> 1), 0).rg);
     imageStore(to, cell, vec4(most, 0, 0));
 }

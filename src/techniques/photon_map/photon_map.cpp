@@ -10,7 +10,8 @@ void PhotonOptions::visit(Visitor& v) {
         "capture", capture, {"camera", "box"},
         "where photons are traced: in what the camera can see and a margin, or in a box around the scene");
     v.real("margin", margin, {0, 4}, "of the camera's capture on each side, as a share of its half width");
-    v.integer("resolution", side, {16, 1024}, "pixels a side of the lists, a power of two");
+    v.integer("resolution", side, {16, 1024},
+              "pixels a side of the lists; a power of two can be skipped over best");
     v.choice("tracer", tracer, {"march", "lines", "layers"},
              "a walk over the pixels that a ray crosses, rays drawn as lines, or a walk over peeled layers");
     v.integer("layers", layers, {1, 64}, "of tracer=layers");

@@ -104,6 +104,18 @@ TEST_F(PhotonMapTest, TheBeamOfAPlaneMirrorIsSmooth) {
     }
 }
 
+// The same photons in each frame, whatever order their threads ran in.
+TEST_F(PhotonMapTest, FramesDoNotFlicker) {
+    const Image once = caustics(glass_sphere(), "photon_map:photons=500,both=off"),
+                again = caustics(glass_sphere(), "photon_map:photons=500,both=off");
+    double most = 0, apart = 0;
+    for (std::size_t i = 0; i < once.data.size(); ++i)
+        most = std::max(most, double(once.data[i])),
+        apart = std::max(apart, std::abs(double(once.data[i]) - double(again.data[i])));
+    EXPECT_GT(most, 0.1);
+    EXPECT_LT(apart, 1e-5 * most); // sums of floats in another order
+}
+
 // A strip of three pixels of the shadow map is nowhere specular over a whole cell; the thesis's way loses it.
 TEST_F(PhotonMapTest, AThinMirrorKeepsItsLight) {
     const Scene scene = mirror_under_ceiling(0.0125f, half_mirror);

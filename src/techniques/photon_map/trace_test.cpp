@@ -73,6 +73,10 @@ TEST_F(PhotonTraceTest, SkippingChangesNothing) {
                       all = trace(scene, camera_lists(scene, 128), rays, plain);
     EXPECT_EQ(skipping.t, all.t);
     EXPECT_LT(skipping.cells, all.cells);
+
+    // A side that halves to an odd one has fewer levels.
+    const TraceResult odd = trace(scene, camera_lists(scene, 200), rays);
+    EXPECT_GE(double(odd.right), 0.98 * odd.counted) << describe(odd);
 }
 
 // A pool that is too small grows, and nothing is missing afterwards.
