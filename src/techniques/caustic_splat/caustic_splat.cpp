@@ -25,7 +25,7 @@ public:
 
 private:
     CausticOptions options_;
-    float radius_ = 3.0f;
+    float radius_ = 8.0f;
     std::vector<SceneObject> objects_;
 };
 

@@ -12,8 +12,8 @@
 namespace luxel {
 
 struct CausticOptions {
-    CubeTraceOptions cube;
-    int photons = 128; // a side of the photon image of each light and object
+    CubeTraceOptions cube{.size = 128};
+    int photons = 256; // a side of the photon image of each light and object
     int size = 256;    // texels a side of the caustic cube map
     bool mirrored = true;
     bool reflected = false;

@@ -22,9 +22,9 @@ struct CubeTraceOptions {
     int size = 256; // texels a side of a face
     NearLayers near = NearLayers::peeled;
     int layers = 3; // of specular surfaces, when peeled
-    int linear = 32, refine = 4;
+    int linear = 32, refine = 8;
     float jump = 0.3f;
-    int depth = 4;
+    int depth = 6;
     DistanceMaps maps = DistanceMaps::each;
     void visit(Visitor& v);
 };
