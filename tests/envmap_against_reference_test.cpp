@@ -8,6 +8,7 @@
 #include "scene/load.h"
 #include "scene/procedural.h"
 #include "support/data.h"
+#include "support/glowing_room.h"
 #include "support/reference_pictures.h"
 
 namespace luxel {
@@ -88,8 +89,9 @@ TEST(EnvmapAgainstReference, PolygonsStayBoundedOnTheWayToTheWalls) {
 }
 
 // The room with the bunny where the ball was, as large; dark, so that it hardly lights itself.
-Scene bunny_room(const Scene& bunny, float distance) {
-    Scene scene = ball_room(BallPlace::face, distance, BallLight::lamps);
+Scene bunny_room(const Scene& bunny, float distance, BallPlace place = BallPlace::face,
+                 BallLight light = BallLight::lamps) {
+    Scene scene = ball_room(place, distance, light);
     Bounds ball, model = bunny.bounds();
     for (glm::vec3 p : scene.meshes[6].positions) ball.add(p);
     const float scale = (ball.most.x - ball.least.x) / (model.most.x - model.least.x);
@@ -122,6 +124,37 @@ TEST(EnvmapAgainstReference, LightsTheBunny) {
         View view(bunny_room(bunny, distance), 1);
         EXPECT_LT(view.error("envmap:texels=8"), 0.04) << distance;
     }
+}
+
+// Without shadows on the walls: the closed form of walls that glow. Where points have no bound, polygons do.
+TEST(EnvmapAgainstClosedForm, PolygonsStayBoundedOnTheBunnyAndPointsDoNot) {
+    LUXEL_DATA_OR_SKIP(file, "models/stanford_bunny/stanford_bunny.gltf");
+    const Scene bunny = load_scene(file.string());
+    gpu::Gpu gpu({.validation = true});
+    FrameOptions options;
+    options.emitter_lights = 0, options.environment = EnvironmentMode::none;
+    Errors polygon, point;
+    for (BallPlace place : {BallPlace::face, BallPlace::edge, BallPlace::corner})
+        for (float distance : {1.0f, 0.2f, 0.02f}) {
+            const Scene scene = bunny_room(bunny, distance, place, BallLight::walls);
+            Renderer renderer(gpu, scene, options);
+            auto run = [&](const std::string& use, Errors& worst) {
+                auto technique = make_technique(parse_specification(use));
+                const RenderResult result =
+                    renderer.render({.camera = scene.cameras.at(1),
+                                     .width = size,
+                                     .height = size,
+                                     .techniques = {technique.get()},
+                                     .images = {"envmap radiance", "depth", "normal"}});
+                const Errors e = errors_in_glowing_room(scene, result, 1);
+                worst.rms = std::max(worst.rms, e.rms), worst.most = std::max(worst.most, e.most);
+            };
+            run("envmap:light=all", polygon);
+            run("envmap:light=all,estimator=point", point);
+        }
+    EXPECT_LT(polygon.rms, 0.03);
+    EXPECT_GT(point.rms, 10 * polygon.rms);
+    EXPECT_GT(point.most, 10 * polygon.most);
 }
 
 } // namespace

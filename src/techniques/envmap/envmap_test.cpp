@@ -10,7 +10,7 @@
 #include "scene/procedural.h"
 #include "shared/brdf.h"
 #include "shared/sampling.h"
-#include "support/box_quads.h"
+#include "support/glowing_room.h"
 #include "support/gpu.h"
 #include "techniques/frame/projection.h"
 #include "techniques/frame/renderer.h"
@@ -110,33 +110,6 @@ TEST_F(EnvmapTest, ClosedRoomOfRadianceOneGivesOne) {
     EXPECT_GT(spread_of(session(scene, "light=all,horizon=thesis").light()).least, 1.6f);
 }
 
-// Errors of the light on the ball against the closed form of its six walls, over the mean of that.
-struct Errors {
-    double rms = 0, most = 0;
-};
-Errors errors_on_ball(const Scene& scene, const RenderResult& result, std::size_t camera) {
-    const shared::ViewParams view = view_params(scene.cameras[camera], size, size);
-    const Image &light = result.images.at("envmap radiance"), &depth = result.images.at("depth"),
-                &normal = result.images.at("normal");
-    double squares = 0, truth = 0, pixels = 0;
-    Errors e;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            if (light.at(x, y)[3] == 0.0f) continue; // not of the ball
-            vec3 position = world_position(view, glm::vec2(x, y) + 0.5f, *depth.at(x, y));
-            vec3 n = glm::normalize(normal.rgb(x, y));
-            double expected = 0;
-            for (int wall = 0; wall < 6; ++wall)
-                expected += double(scene.materials[std::size_t(wall)].emission.g) *
-                            lambert_irradiance(wall_quad(wall, 1, 0, 0, position), n);
-            expected *= 0.8 / double(shared::PI);
-            const double d = std::abs(double(light.at(x, y)[1]) - expected);
-            squares += d * d, truth += expected, e.most = std::max(e.most, d), ++pixels;
-        }
-    truth /= pixels;
-    return {std::sqrt(squares / pixels) / truth, e.most / truth};
-}
-
 // A metal ball of that roughness instead of the diffuse one.
 void make_glossy(Scene& scene, float roughness) {
     for (const Instance& instance : scene.instances)
@@ -192,7 +165,7 @@ TEST_F(EnvmapTest, PolygonsStayBoundedNearWallsAndPointsDoNot) {
             for (std::size_t camera : {0u, 1u}) {
                 Scene scene = ball_room(place, distance, BallLight::walls);
                 auto run = [&](const std::string& parameters, Errors& worst) {
-                    Errors e = errors_on_ball(
+                    Errors e = errors_in_glowing_room(
                         scene, session(scene, "light=all," + parameters, camera).frame(), camera);
                     worst.rms = std::max(worst.rms, e.rms), worst.most = std::max(worst.most, e.most);
                 };
@@ -212,7 +185,7 @@ TEST_F(EnvmapTest, FollowsAMovedObjectWithoutPreparation) {
     s.renderer->update_motion();
     const RenderResult after = s.frame();
     EXPECT_NE(before.data, after.images.at("envmap radiance").data);
-    EXPECT_LT(errors_on_ball(scene, after, 0).rms, 0.08);
+    EXPECT_LT(errors_in_glowing_room(scene, after, 0).rms, 0.08);
     // Back where it was, it looks as it did.
     scene.instances[6].transform = glm::mat4(1.0f);
     s.renderer->update_motion();
