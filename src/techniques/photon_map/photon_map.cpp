@@ -19,11 +19,11 @@ void PhotonOptions::visit(Visitor& v) {
     v.integer("bounces", bounces, {1, 16}, "specular surfaces on a photon's path");
     v.flag("both", both, "glass met first reflects and refracts; else one of them by chance");
     v.flag("mixed", mixed, "cells of the shadow map that are specular in part send photons, too");
-    v.choice("kernel", kernel, {"cone", "gaussian"}, "of a photon's disc");
+    v.choice("kernel", kernel, photon_kernels, "of a photon's disc");
     v.choice(
         "disc", disc, {"beam", "differential"},
         "a photon's disc is as wide as its part of the beam were unfocused, or as its neighbors' rays say");
-    v.real("share", share, {0.1, 1000}, "photons that a disc holds");
+    v.real("share", share, {0.1, 1000}, "photons that a disc holds, but for tents that reach the next ones");
     v.integer("scale", scale, {1, 8}, "pixels a side of the frame for each that photons are splatted on");
     rsm.visit(v);
 }

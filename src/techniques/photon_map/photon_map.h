@@ -11,7 +11,8 @@ namespace luxel {
 enum class PhotonCapture { camera, box };
 enum class PhotonTracer { march, lines, layers };
 enum class PhotonDisc { beam, differential };
-enum class PhotonKernel { cone, gaussian };
+enum class PhotonKernel { tent, cone, gaussian };
+inline const std::vector<std::string> photon_kernels = {"tent", "cone", "gaussian"};
 
 struct PhotonBuffers {
     gpu::Buffer photons, hits, counts;
@@ -29,7 +30,7 @@ struct PhotonOptions {
     bool skip = true;
     int bounces = 4;
     bool both = true, mixed = true;
-    PhotonKernel kernel = PhotonKernel::cone;
+    PhotonKernel kernel = PhotonKernel::tent;
     PhotonDisc disc = PhotonDisc::differential;
     float share = 12.0f;
     int scale = 1;

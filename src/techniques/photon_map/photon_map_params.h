@@ -85,6 +85,7 @@ struct PhotonSplatParams {
     ViewParams view; // of the frame, at the splats' resolution
     vec3 center;
     float reach;       // radii of a disc over what the photon's part of the beam lights
+    float reach_beam;  // where its neighbors are not known
     float least;       // radius, pixels
     float most_radius; // m
     float delta;       // of the Gaussian
@@ -94,16 +95,16 @@ struct PhotonSplatParams {
 
 LUXEL_CONST float LEAST_COSINE = 0.1f; // of arriving light: discs grow no more
 
-// Energy at a share q of the radii of an elliptic disc of area pi r1 r2, per area [Le2014, 3.3.2.3], scaled
-// so that the integral over the disc is 1: the thesis's cone keeps a third.
-LUXEL_FN float photon_cone(float q, float r1, float r2) {
-    return 3.0f / (PI * r1 * r2) * max(1.0f - q, 0.0f);
+// Kernels of discs whose axes are the unit vectors of u and v, times the axes' parallelogram: energy per
+// area. Their integral over the disc is 1: the thesis's cone keeps a third [Le2014, 3.3.2.3].
+LUXEL_FN float photon_cone(float u, float v) { return 3.0f / PI * max(1.0f - sqrt(u * u + v * v), 0.0f); }
+LUXEL_FN float photon_gaussian(float u, float v, float delta) {
+    float q2 = u * u + v * v;
+    if (q2 > 1.0f) return 0.0f;
+    return exp(-q2 / (2.0f * delta)) / (2.0f * PI * delta * (1.0f - exp(-1.0f / (2.0f * delta))));
 }
-LUXEL_FN float photon_gaussian(float q, float r1, float r2, float delta) {
-    if (q > 1.0f) return 0.0f;
-    return exp(-q * q / (2.0f * delta)) /
-           (2.0f * PI * delta * r1 * r2 * (1.0f - exp(-1.0f / (2.0f * delta))));
-}
+// Between neighbors it interpolates linearly: on a regular grid of photons tents add up to a constant.
+LUXEL_FN float photon_tent(float u, float v) { return max(1.0f - abs(u), 0.0f) * max(1.0f - abs(v), 0.0f); }
 
 LUXEL_END
 #endif

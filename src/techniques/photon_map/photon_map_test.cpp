@@ -74,8 +74,8 @@ protected:
 TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
     const Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
     const double all = sent(half_mirror, half_mirror);
-    for (const char* use : {"photon_map", "photon_map:kernel=gaussian", "photon_map:photons=400",
-                            "photon_map:capture=box", "photon_map:scale=2"})
+    for (const char* use : {"photon_map", "photon_map:kernel=gaussian", "photon_map:kernel=cone",
+                            "photon_map:photons=400", "photon_map:capture=box", "photon_map:scale=2"})
         EXPECT_NEAR(received(scene, use) / all, 1.0, 0.02) << use;
 }
 

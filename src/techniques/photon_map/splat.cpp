@@ -26,11 +26,15 @@ gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const 
     recorder.dispatch("photon_map/guide.comp", extent_of(guide), options.scale,
                       {{"depth", g.depth}, {"geometric_normal", g.geometric_normal}, {"guide", guide}});
 
+    // Tents reach the next photon, where it is known.
+    const bool tent = options.kernel == PhotonKernel::tent;
+    const float reach = std::sqrt(options.share / shared::PI);
     // Coarse pixels are pixels of the frame; their view is the frame's, cut into fewer.
     shared::PhotonSplatParams p{.view = frame.view,
                                 .center = center,
-                                .reach = std::sqrt(options.share / shared::PI),
-                                .least = least_radius,
+                                .reach = tent ? 1.0f : reach,
+                                .reach_beam = reach,
+                                .least = tent ? 1.0f : least_radius,
                                 .most_radius = 0.25f * frame.scene->bounds().radius(),
                                 .delta = delta,
                                 .shift = (std::floor(float(step) / 2) + 0.5f) / float(step) - 0.5f,
@@ -39,9 +43,8 @@ gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const 
     const gpu::Image sum = recorder.image(size, "photon splats");
     const gpu::RasterPass pass{.color = {{sum, std::array<float, 4>{}, gpu::Blend::add}}};
     const std::vector<gpu::Batch> all = {{.draws = {{.count = std::uint32_t(6 * photons.most)}}}};
-    recorder.draw(
-        options.kernel == PhotonKernel::cone ? "photon_map/splat_cone" : "photon_map/splat_gaussian", pass, p,
-        {{"photons", photons.photons}, {"counts", photons.counts}, {"guide", guide}}, {}, all);
+    recorder.draw("photon_map/splat_" + photon_kernels[std::size_t(options.kernel)], pass, p,
+                  {{"photons", photons.photons}, {"counts", photons.counts}, {"guide", guide}}, {}, all);
     if (step == 1) return sum;
 
     const gpu::Image full =

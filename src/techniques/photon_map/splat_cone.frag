@@ -3,5 +3,5 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/photon_map/photon_map_params.h"
-#define KERNEL(q, r1, r2) photon_cone(q, r1, r2)
+#define KERNEL(u, v) photon_cone(u, v)
 #include "techniques/photon_map/splat.glsl"

@@ -3,5 +3,5 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "techniques/photon_map/photon_map_params.h"
-#define KERNEL(q, r1, r2) photon_gaussian(q, r1, r2, p.delta)
+#define KERNEL(u, v) photon_gaussian(u, v, p.delta)
 #include "techniques/photon_map/splat.glsl"

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "techniques/photon_map/splat_vertex.glsl"
