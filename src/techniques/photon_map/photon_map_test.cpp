@@ -79,6 +79,21 @@ TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
         EXPECT_NEAR(received(scene, use) / all, 1.0, 0.02) << use;
 }
 
+// A lobe of visible normals spreads the light a little and loses next to none.
+TEST_F(PhotonMapTest, ARoughMirrorSendsAsMuch) {
+    Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    const Image sharp = caustics(scene, "photon_map");
+    scene.materials[0].roughness = 0.1f;
+    const Image rough = caustics(scene, "photon_map");
+    double change = 0, all = 0, all_rough = 0;
+    for (std::size_t i = 0; i < sharp.data.size(); i += 4) {
+        all += sharp.data[i], all_rough += rough.data[i];
+        change += std::abs(sharp.data[i] - rough.data[i]);
+    }
+    EXPECT_NEAR(all_rough / all, 1.0, 0.02);
+    EXPECT_GT(change / all, 0.05);
+}
+
 // Away from the outline the ceiling is lit as by the lamp's image: discs of a regular beam add up to a smooth
 // whole.
 TEST_F(PhotonMapTest, TheBeamOfAPlaneMirrorIsSmooth) {
