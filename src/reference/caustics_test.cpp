@@ -26,23 +26,6 @@ Material mirror_of(glm::vec3 reflectance, float roughness = 0.0f) {
     return m;
 }
 
-Material solid_glass(float ior) {
-    Material m;
-    m.metallic = m.roughness = 0.0f;
-    m.transmission = 1.0f;
-    m.thin = false;
-    m.ior = ior;
-    return m;
-}
-
-Mesh& add_mesh(Scene& scene, const Material& material) {
-    add_object(scene, material, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    Mesh& mesh = scene.meshes.back();
-    mesh = Mesh();
-    mesh.material = int(scene.materials.size()) - 1;
-    return mesh;
-}
-
 shared::Light light_of(shared::uint type, glm::vec3 position, glm::vec3 direction, float intensity) {
     shared::Light l{};
     l.type = type;

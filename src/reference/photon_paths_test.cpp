@@ -24,23 +24,6 @@ Material perfect_mirror() {
     return m;
 }
 
-Material solid_glass(float ior) {
-    Material m;
-    m.metallic = m.roughness = 0.0f;
-    m.transmission = 1.0f;
-    m.thin = false;
-    m.ior = ior;
-    return m;
-}
-
-Mesh& add_mesh(Scene& scene, const Material& material) {
-    add_object(scene, material, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    Mesh& mesh = scene.meshes.back();
-    mesh = Mesh();
-    mesh.material = int(scene.materials.size()) - 1;
-    return mesh;
-}
-
 // Mean over the image and its error by the groups of samples: photons are common to the pixels, so that their
 // variances do not add.
 Measured image_mean(const Estimate& e, const std::string& component) {

@@ -29,6 +29,24 @@ inline void add_object(Scene& scene, const Material& material, glm::vec3 corner,
     scene.instances.push_back(instance);
 }
 
+// An object of that material without triangles yet.
+inline Mesh& add_mesh(Scene& scene, const Material& material) {
+    add_object(scene, material, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    Mesh& mesh = scene.meshes.back();
+    mesh = Mesh();
+    mesh.material = int(scene.materials.size()) - 1;
+    return mesh;
+}
+
+inline Material solid_glass(float ior) {
+    Material m;
+    m.metallic = m.roughness = 0.0f;
+    m.transmission = 1.0f;
+    m.thin = false;
+    m.ior = ior;
+    return m;
+}
+
 // A floor of `side` meters around the origin at y = 0, facing up.
 inline void add_floor(Scene& scene, const Material& material, float side = 20.0f) {
     add_object(scene, material, {-side / 2, 0, side / 2}, {side, 0, 0}, {0, 0, -side});

@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "scene/procedural.h"
-#include "scene/procedural_parts.h"
-#include "shared/brdf.h"
 #include "support/gpu.h"
+#include "support/mirror_scene.h"
 #include "techniques/frame/renderer.h"
 #include "techniques/technique.h"
 
@@ -17,42 +16,18 @@ namespace {
 
 using glm::vec3;
 
+using namespace testing;
+
 constexpr int side = 128;
-constexpr float half_mirror = 0.3f, ceiling = 1.5f, albedo = 0.5f, intensity = 3.0f;
-const vec3 lamp(-0.1f, 1.0f, 0.05f);
 
-// The mirror lies on y = 0, facing up; the camera looks straight up at the ceiling, which begins at that z.
-Scene mirror_under_ceiling(float z = -2.0f) {
-    Scene scene;
-    scene.name = "mirror under ceiling";
-    Mesh& mirror = procedural::add_specular_object(scene, procedural::mirror("mirror", vec3(0.9f)));
-    add_quad(mirror, {-half_mirror, 0, half_mirror}, {2 * half_mirror, 0, 0}, {0, 0, -2 * half_mirror});
-    procedural::add_quad_object(scene, procedural::lambertian("ceiling", vec3(albedo)), {-2, ceiling, z},
-                                {4, 0, 0}, {0, 0, 2.0f - z});
-    scene.lights = {procedural::point_light(lamp, intensity)};
-    scene.cameras.push_back({.position = {0, 0.9f, 0}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .yfov = 2.0f});
-    return scene;
-}
-
-float mirrored(vec3 on_mirror, float cosine) {
-    if (std::max(std::abs(on_mirror.x), std::abs(on_mirror.z)) > half_mirror) return 0.0f;
-    return shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
-}
-
-// Irradiance of the ceiling at x by way of the mirror.
-float exact(vec3 x, vec3 from = lamp) {
-    const vec3 image(from.x, -from.y, from.z), d = x - image;
-    const float cosine = d.y / glm::length(d);
-    return intensity * cosine / glm::dot(d, d) * mirrored(image + d * (from.y / d.y), cosine);
-}
-
-// The same of light that travels along `direction`, of irradiance 1 on a plane that faces it.
+// Irradiance of the ceiling at x of light that travels along `direction`, of irradiance 1 on a plane that
+// faces it.
 float exact_directional(vec3 x, vec3 direction) {
     const vec3 up(direction.x, -direction.y, direction.z);
     return up.y * mirrored(x - up * (ceiling / up.y), up.y);
 }
 
-class CausticsTest : public testing::GpuTest {
+class CausticsTest : public GpuTest {
 protected:
     // One technique on one scene, whose instances and lights may move between frames.
     struct Session {
@@ -62,7 +37,7 @@ protected:
         // Irradiance that the technique gives to what each pixel sees.
         Image frame() {
             Image image = renderer->render(request).images.at("caustics");
-            for (float& value : image.data) value *= shared::PI / albedo;
+            for (float& value : image.data) value *= shared::PI / ceiling_albedo;
             return image;
         }
     };
@@ -90,7 +65,7 @@ protected:
     };
     Comparison compare(const std::string& use) {
         const Scene scene = mirror_under_ceiling();
-        return compare(scene, render(scene, use), [](vec3 x) { return exact(x); });
+        return compare(scene, render(scene, use), [](vec3 x) { return irradiance_by_mirror(x); });
     }
     Comparison compare(const Scene& scene, const Image& image, const std::function<float(vec3)>& irradiance) {
         double ours = 0, all = 0, error = 0, count = 0;
@@ -133,7 +108,7 @@ TEST_F(CausticsTest, PlaneMirrorLightsTheCeilingLikeTheLampsImage) {
 TEST_F(CausticsTest, ABlockerKeepsItsShadow) {
     Scene scene = mirror_under_ceiling();
     const Image open = render(scene, "caustic_triangles:photons=64,size=128,caustic_size=256");
-    procedural::add_quad_object(scene, procedural::lambertian("blocker", vec3(albedo)),
+    procedural::add_quad_object(scene, procedural::lambertian("blocker", vec3(ceiling_albedo)),
                                 {-0.12f, 0.3f, -0.12f}, {0.24f, 0, 0}, {0, 0, 0.24f});
     const Image blocked = render(scene, "caustic_triangles:photons=64,size=128,caustic_size=256");
     double shadow = 0, before = 0, lit = 0, lit_before = 0;
@@ -161,7 +136,7 @@ constexpr const char* triangles_64 = "caustic_triangles:photons=64,size=128,caus
 // Their images are parallel light; the environment is black but for a sun of one texel.
 TEST_F(CausticsTest, SunAndSkyShineByWayOfTheMirror) {
     constexpr int width = 512, height = 256, column = 240, row = 28;
-    Scene scene = mirror_under_ceiling(-0.2f); // light comes in past its rim
+    Scene scene = mirror_under_ceiling({.ceiling_from = -0.2f}); // light comes in past its rim
     scene.lights.clear();
     Scene sky = scene;
     sky.environment.radiance = Image(width, height, 3);
@@ -186,11 +161,11 @@ TEST_F(CausticsTest, AnEmitterShinesByWayOfTheMirror) {
     Scene scene = mirror_under_ceiling();
     scene.lights.clear();
     Material glow = procedural::lambertian("glow", vec3(0));
-    glow.emission = vec3(intensity / (4 * half * half));
+    glow.emission = vec3(lamp_intensity / (4 * half * half));
     procedural::add_quad_object(scene, glow, {-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half});
     const Comparison c = compare(scene, render(scene, triangles_64), [](vec3 x) {
         const vec3 from(0, height, 0), d = x + from;
-        return exact(x, from) * d.y / glm::length(d);
+        return irradiance_by_mirror(x, from) * d.y / glm::length(d);
     });
     EXPECT_NEAR(c.flux, 1.0, 0.05);
     EXPECT_LT(c.interior, 0.03);
@@ -223,12 +198,13 @@ TEST_F(CausticsTest, MirrorsShowCaustics) {
             const vec3 d = pixel_direction(b, side, side, {float(x) + 0.5f, float(y) + 0.5f});
             const vec3 at = b.position - d * (b.position.y / d.y), up(d.x, -d.y, d.z);
             const float seen = mirrored(at, glm::normalize(up).y),
-                        truth = seen * exact(at + up * (ceiling / up.y));
+                        truth = seen * irradiance_by_mirror(at + up * (ceiling / up.y));
             ours += image.rgb(x, y).g, all += truth;
             bool interior = true;
             for (const vec3& step :
                  {vec3(0.06f, 0, 0), vec3(-0.06f, 0, 0), vec3(0, 0, 0.06f), vec3(0, 0, -0.06f)})
-                interior = interior && seen > 0.0f && exact(at + up * (ceiling / up.y) + step) > 0.0f;
+                interior =
+                    interior && seen > 0.0f && irradiance_by_mirror(at + up * (ceiling / up.y) + step) > 0.0f;
             if (interior) error += std::abs(image.rgb(x, y).g - truth) / truth, ++count;
         }
     ASSERT_GT(count, 500);

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "scene/procedural.h"
-#include "scene/procedural_parts.h"
-#include "shared/brdf.h"
 #include "support/gpu.h"
+#include "support/mirror_scene.h"
 #include "techniques/frame/renderer.h"
 #include "techniques/technique.h"
 
@@ -15,20 +14,14 @@ namespace {
 
 using glm::vec3;
 
-constexpr int side = 128;
-constexpr float half_mirror = 0.3f, ceiling = 1.5f, albedo = 0.5f, intensity = 3.0f;
-const vec3 lamp(-0.1f, 1.0f, 0.05f);
+using namespace testing;
 
-// A mirror of this half width lies on y = 0, facing up; the camera looks straight up at the ceiling.
-Scene mirror_under_ceiling(float half_width, float half_length) {
-    Scene scene;
-    Mesh& mirror = procedural::add_specular_object(scene, procedural::mirror("mirror", vec3(0.9f)));
-    add_quad(mirror, {-half_width, 0, half_length}, {2 * half_width, 0, 0}, {0, 0, -2 * half_length});
-    procedural::add_quad_object(scene, procedural::lambertian("ceiling", vec3(albedo)), {-2, ceiling, -2},
-                                {4, 0, 0}, {0, 0, 4});
-    scene.lights = {procedural::point_light(lamp, intensity)};
-    scene.cameras.push_back({.position = {0, 0.3f, 0}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .yfov = 2.2f});
-    return scene;
+constexpr int side = 128;
+
+// With the camera low, so that it sees all that the mirror lights.
+Scene mirror_scene(float half_width, float half_length) {
+    return mirror_under_ceiling(
+        {.half_width = half_width, .half_length = half_length, .camera_height = 0.3f, .yfov = 2.2f});
 }
 
 // Flux that the mirror sends on: its irradiance by the lamp, over its area.
@@ -41,13 +34,13 @@ double sent(float half_width, float half_length) {
                           (2 * (float(j) + 0.5f) / n - 1) * half_length);
             const vec3 d = lamp - on;
             const float cosine = d.y / glm::length(d);
-            sum +=
-                intensity * cosine / glm::dot(d, d) * shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
+            sum += lamp_intensity * cosine / glm::dot(d, d) *
+                   shared::fresnel_schlick(vec3(mirror_f0), vec3(1), cosine).g;
         }
     return sum * 4 * half_width * half_length / (n * n);
 }
 
-class PhotonMapTest : public testing::GpuTest {
+class PhotonMapTest : public GpuTest {
 protected:
     Image caustics(const Scene& scene, const std::string& use) {
         FrameOptions options;
@@ -67,12 +60,12 @@ protected:
         const float pixel = 2 * glm::length(b.right) / side * (ceiling - b.position.y);
         double sum = 0;
         for (std::size_t i = 0; i < image.pixels(); ++i) sum += image.data[4 * i + 1];
-        return sum * shared::PI / albedo * pixel * pixel;
+        return sum * shared::PI / ceiling_albedo * pixel * pixel;
     }
 };
 
 TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
-    const Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    const Scene scene = mirror_scene(half_mirror, half_mirror);
     const double all = sent(half_mirror, half_mirror);
     for (const char* use : {"photon_map", "photon_map:kernel=gaussian", "photon_map:kernel=cone",
                             "photon_map:photons=400", "photon_map:capture=box", "photon_map:scale=2"})
@@ -81,7 +74,7 @@ TEST_F(PhotonMapTest, TheMirrorsFluxArrives) {
 
 // A lobe of visible normals spreads the light a little and loses next to none.
 TEST_F(PhotonMapTest, ARoughMirrorSendsAsMuch) {
-    Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    Scene scene = mirror_scene(half_mirror, half_mirror);
     const Image sharp = caustics(scene, "photon_map");
     scene.materials[0].roughness = 0.1f;
     const Image rough = caustics(scene, "photon_map");
@@ -97,7 +90,7 @@ TEST_F(PhotonMapTest, ARoughMirrorSendsAsMuch) {
 // Away from the outline the ceiling is lit as by the lamp's image: discs of a regular beam add up to a smooth
 // whole.
 TEST_F(PhotonMapTest, TheBeamOfAPlaneMirrorIsSmooth) {
-    const Scene scene = mirror_under_ceiling(half_mirror, half_mirror);
+    const Scene scene = mirror_scene(half_mirror, half_mirror);
     const CameraBasis b = camera_basis(scene.cameras[0], side, side);
     for (const char* use : {"photon_map:photons=2000", "photon_map:photons=2000,disc=beam"}) {
         const Image image = caustics(scene, use);
@@ -106,13 +99,10 @@ TEST_F(PhotonMapTest, TheBeamOfAPlaneMirrorIsSmooth) {
             for (int x = 0; x < side; ++x) {
                 const vec3 d = pixel_direction(b, side, side, {float(x) + 0.5f, float(y) + 0.5f});
                 const vec3 at = b.position + d * ((ceiling - b.position.y) / d.y);
-                const vec3 from_image = at - vec3(lamp.x, -lamp.y, lamp.z);
-                const vec3 on_mirror = vec3(lamp.x, -lamp.y, lamp.z) + from_image * (lamp.y / from_image.y);
+                const vec3 on_mirror = on_mirror_toward(at);
                 if (std::max(std::abs(on_mirror.x), std::abs(on_mirror.z)) > 0.8f * half_mirror) continue;
-                const float cosine = from_image.y / glm::length(from_image);
-                const float exact = intensity * cosine / glm::dot(from_image, from_image) *
-                                    shared::fresnel_schlick(vec3(0.9f), vec3(1), cosine).g;
-                error += std::abs(image.rgb(x, y).g * shared::PI / albedo / exact - 1.0f), ++count;
+                const float exact = irradiance_by_mirror(at);
+                error += std::abs(image.rgb(x, y).g * shared::PI / ceiling_albedo / exact - 1.0f), ++count;
             }
         ASSERT_GT(count, 200) << use;
         EXPECT_LT(error / count, 0.03) << use;
@@ -133,7 +123,7 @@ TEST_F(PhotonMapTest, FramesDoNotFlicker) {
 
 // A strip of three pixels of the shadow map is nowhere specular over a whole cell; the thesis's way loses it.
 TEST_F(PhotonMapTest, AThinMirrorKeepsItsLight) {
-    const Scene scene = mirror_under_ceiling(0.0125f, half_mirror);
+    const Scene scene = mirror_scene(0.0125f, half_mirror);
     const double all = sent(0.0125f, half_mirror);
     const std::string few = "photon_map:photons=50";
     EXPECT_NEAR(received(scene, few) / all, 1.0, 0.1); // three pixels stand for 3.2
