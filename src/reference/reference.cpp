@@ -47,6 +47,10 @@ void check(const ReferenceRequest& request) {
         if (!contains(component_names, name))
             fail(Fault::usage, "reference: unknown component \"{}\"; known: {}", name,
                  fmt::join(component_names, ", "));
+    if (contains(request.components, "photon_bias") && !contains(request.components, "full") &&
+        !contains(request.components, "specular"))
+        fail(Fault::usage,
+             "reference: photon_bias is of the photons in full and specular; ask for one of them, too");
     if (request.settings.spp < 1) fail(Fault::usage, "reference: spp is {}, below 1", request.settings.spp);
 }
 

@@ -37,7 +37,8 @@ std::vector<bool> flags(const Scene& scene, const std::vector<SceneObject>& obje
 } // namespace
 
 bool is_specular(const Material& m) {
-    return shared::signed_ior(m.metallic, m.roughness, m.transmission, m.ior, m.thin) != 0.0f;
+    const float transmission = m.transmission * (1.0f - m.metallic);
+    return shared::signed_ior(m.metallic, m.roughness, transmission, m.ior, m.thin) != 0.0f;
 }
 
 std::vector<SceneObject> dynamic_objects(const Scene& scene) {

@@ -140,9 +140,9 @@ std::optional<Impostor> read_impostor(Section& section) {
     // Each kind has its own measure of error.
     const bool any = impostor.kind != ImpostorKind::none;
     const bool cloud = impostor.kind == ImpostorKind::billboard_cloud;
-    if (size && !any) section.reject(size_key, "give it with an \"impostor\"");
-    if (error && (cloud || !any)) section.reject(error_key, "give it with a billboard or a nailboard");
-    if (distance && !cloud) section.reject(distance_key, "give it with a billboard_cloud");
+    if (size && !any) section.reject(size_key, "impostor_size is of an impostor; give \"impostor\", too");
+    if (error && (cloud || !any)) section.reject(error_key, "impostor_error is of a billboard or a nailboard");
+    if (distance && !cloud) section.reject(distance_key, "impostor_distance is of a billboard_cloud");
     if (cloud && !distance) section.reject("impostor", "a billboard_cloud needs \"impostor_distance\"");
     impostor.size = size.value_or(impostor.size);
     impostor.error = error.value_or(impostor.error);

@@ -41,15 +41,18 @@ std::vector<shared::ListMaterial> list_materials(const Scene& scene) {
     std::vector<shared::ListMaterial> materials;
     for (const Instance& instance : scene.instances) {
         const Material& m = scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
-        const shared::Brdf brdf =
-            shared::make_brdf(m.base_color, m.metallic, m.roughness, m.ior, m.specular, m.specular_color);
-        materials.push_back(
-            {.f0 = brdf.f0,
-             .ior = shared::signed_ior(m.metallic, m.roughness, m.transmission, m.ior, m.thin),
-             .f90 = brdf.f90.x,
-             .roughness = shared::is_mirror(m.metallic, m.roughness)
-                              ? 0.0f
-                              : std::max(m.roughness, shared::MIRROR_ROUGHNESS)});
+        // As the G-buffer has it: metals do not transmit, and what transmits leaves the lobes less.
+        const float transmission = m.transmission * (1.0f - m.metallic);
+        const float ior = shared::signed_ior(m.metallic, m.roughness, transmission, m.ior, m.thin);
+        const shared::Brdf brdf = shared::scale_brdf(
+            shared::make_brdf(m.base_color, m.metallic, m.roughness, m.ior, m.specular, m.specular_color),
+            ior > 0.0f ? 1.0f : 1.0f - transmission);
+        materials.push_back({.f0 = brdf.f0,
+                             .ior = ior,
+                             .f90 = brdf.f90.x,
+                             .roughness = shared::is_mirror(m.metallic, m.roughness)
+                                              ? 0.0f
+                                              : std::max(m.roughness, shared::MIRROR_ROUGHNESS)});
     }
     return materials;
 }
@@ -134,7 +137,7 @@ void FragmentLists::reserve(gpu::Gpu& gpu, std::uint32_t nodes) {
     if (nodes > most_nodes)
         fail(Fault::resource,
              "fragment lists: {} fragments in {}x{} pixels, more than the {} that one GPU buffer holds; "
-             "take a lower resolution",
+             "take a lower resolution or fewer layers",
              nodes, projection_.view.side, projection_.view.side, most_nodes);
     if (nodes_ && nodes_.size() >= std::uint64_t(nodes) * node_bytes) return;
     capacity = std::min(std::bit_ceil(nodes), most_nodes);

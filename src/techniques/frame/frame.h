@@ -52,6 +52,9 @@ struct CaptureRequest {
     // R32F, as large as the view: only what is farther than it, along the view direction, is drawn
     // [Everitt2001]. Empty: all.
     gpu::Image farther_than;
+    // Depths in farther_than are of the frame's own surfaces: what the frame shows as an impostor is left
+    // out, as nothing is behind it.
+    bool behind_frame = false;
     Sides sides = Sides::standard;
     std::vector<bool> drawn; // by the scene's instances; empty: all. The others still cast shadows.
 };

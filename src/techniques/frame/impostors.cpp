@@ -40,18 +40,13 @@ std::vector<glm::mat4> Impostors::transforms_of(const Item& item) const {
     return transforms;
 }
 
-std::vector<bool> Impostors::without(std::vector<bool> drawn) const {
-    if (drawn.empty()) drawn.assign(scene_->instances.size(), true);
-    for (const Item& item : items_)
-        for (int i : item.object.instances) drawn[std::size_t(i)] = false;
-    return drawn;
-}
-
 std::vector<bool> Impostors::refresh(gpu::Recorder& recorder, const GpuScene& scene,
                                      const shared::ViewParams& view,
                                      const std::optional<shared::HeightSearch>& search) {
     auto scope = recorder.scope("impostor redraw");
-    std::vector<bool> drawn = without({});
+    std::vector<bool> drawn(scene_->instances.size(), true);
+    for (const Item& item : items_)
+        for (int i : item.object.instances) drawn[std::size_t(i)] = false;
     for (Item& item : items_) {
         if (item.object.impostor.kind == ImpostorKind::billboard_cloud)
             refresh_cloud(recorder, scene, item);

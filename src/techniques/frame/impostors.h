@@ -23,9 +23,6 @@ public:
     // Adds the impostors to a view that its meshes have been drawn into. After refresh() of that view.
     void draw(gpu::Recorder& recorder, const Capture& view) const;
 
-    // Those of `drawn` (empty: all) that have no impostor.
-    std::vector<bool> without(std::vector<bool> drawn) const;
-
 private:
     struct Item {
         ImpostorObject object;

@@ -303,8 +303,10 @@ public:
     Slot slot() const override { return Slot::post; }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
         frame.capture(recorder, {.view = frame.view, .prefix = "own "});
-        frame.capture(recorder,
-                      {.view = frame.view, .prefix = "behind ", .farther_than = frame.gbuffer.depth});
+        frame.capture(recorder, {.view = frame.view,
+                                 .prefix = "behind ",
+                                 .farther_than = frame.gbuffer.depth,
+                                 .behind_frame = true});
         return {};
     }
 };

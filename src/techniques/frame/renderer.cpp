@@ -113,11 +113,11 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     if (!impostors.empty()) impostors.draw(recorder, f);
     direct.render(recorder, {f});
 
-    f.capture_surfaces = [this, search, own = f.gbuffer.depth](gpu::Recorder& r, const CaptureRequest& c) {
-        if (impostors.empty() || c.farther_than.data_ != own.data_)
-            return capture_surfaces(r, on_gpu, c, search);
+    f.capture_surfaces = [this, search, meshes = seen.drawn](gpu::Recorder& r, const CaptureRequest& c) {
+        if (!c.behind_frame || meshes.empty()) return capture_surfaces(r, on_gpu, c, search);
         CaptureRequest behind = c;
-        behind.drawn = impostors.without(c.drawn);
+        if (behind.drawn.empty()) behind.drawn.assign(meshes.size(), true);
+        for (std::size_t i = 0; i < meshes.size(); ++i) behind.drawn[i] = behind.drawn[i] && meshes[i];
         return capture_surfaces(r, on_gpu, behind, search);
     };
     f.add_light = [this](gpu::Recorder& r, const std::vector<Capture>& captures) {

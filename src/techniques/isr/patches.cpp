@@ -131,8 +131,9 @@ IsrSenders find_hidden(Recorder& recorder, const Frame& frame, const IsrParams& 
     gpu::Image depth = recorder.image(info, "isr peel depth");
     recorder.dispatch("isr/peel_depth.comp", extent_of(depth), shared::IsrPeelParams{separation},
                       {{"patches", visible.patches}, {"depth", depth}});
-    Capture behind =
-        frame.capture(recorder, {.view = isr_wide_view(p), .prefix = "isr hidden ", .farther_than = depth});
+    Capture behind = frame.capture(
+        recorder,
+        {.view = isr_wide_view(p), .prefix = "isr hidden ", .farther_than = depth, .behind_frame = true});
     IsrSenders hidden = make_senders(recorder, p.patches, "isr hidden ");
     add_capture(recorder, behind, behind.gbuffer.depth, patch_params(p), hidden);
     return hidden;

@@ -29,8 +29,9 @@ struct Sent {
 };
 Sent sent_from(ivec2 pixel, bool refracts) {
     Sent s;
-    s.there = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(p.view.width, p.view.height))) &&
-              texelFetch(sums, pixel, 0).a > 0.0;
+    ivec2 inside_image = clamp(pixel, ivec2(0), ivec2(p.view.width, p.view.height) - 1);
+    s.there = pixel == inside_image && texelFetch(sums, inside_image, 0).a > 0.0;
+    pixel = inside_image;
     s.position = world_position(p.view, vec2(pixel) + 0.5, texelFetch(depth, pixel, 0).r);
     s.normal = texelFetch(normal, pixel, 0).xyz;
     vec3 d = -sample_light(p.light, s.position).wi;

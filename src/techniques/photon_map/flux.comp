@@ -13,7 +13,8 @@ layout(binding = 2, scalar) buffer counts { uint count_of[]; };
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(sums)))) return;
-    vec4 here = texelFetch(flux, pixel, 0);
+    bool padding = any(greaterThanEqual(pixel, textureSize(flux, 0)));
+    vec4 here = padding ? vec4(0) : texelFetch(flux, pixel, 0);
     bool sends = here.a > 0.5 && max(here.r, max(here.g, here.b)) > 0.0;
     imageStore(sums, pixel, sends ? vec4(here.rgb, 1.0) : vec4(0));
     if (sends) atomicAdd(count_of[PHOTON_LEVELS], 1u);

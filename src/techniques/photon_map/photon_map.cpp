@@ -5,7 +5,7 @@
 namespace luxel {
 
 void PhotonOptions::visit(Visitor& v) {
-    v.integer("photons", photons, {1, 1 << 20}, "most of them; glass sends two for each");
+    v.integer("photons", photons, {1, 1 << 19}, "most of them; glass sends two for each");
     v.choice(
         "capture", capture, {"camera", "box"},
         "where photons are traced: in what the camera can see and a margin, or in a box around the scene");
@@ -61,7 +61,7 @@ public:
 
         gpu::Image radiance = recorder.image({.width = frame.width, .height = frame.height}, "caustics");
         recorder.dispatch(
-            "photon_map/receive.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+            "common/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
             {{"diffuse", frame.gbuffer.diffuse}, {"irradiance", irradiance}, {"radiance", radiance}});
         return {.radiance = radiance};
     }

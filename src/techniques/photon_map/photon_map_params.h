@@ -89,8 +89,9 @@ struct PhotonSplatParams {
     float least;       // radius, pixels
     float most_radius; // m
     float delta;       // of the Gaussian
-    float shift; // from a coarse pixel's center to that of the frame's pixel that it shows, coarse pixels
-    int most;
+    float shift;     // from a coarse pixel's center to that of the frame's pixel that it shows, coarse pixels
+    vec2 frame_size; // pixels
+    vec2 share;      // of the image's width and height that the frame covers: its last coarse pixels are cut
 };
 
 LUXEL_CONST float LEAST_COSINE = 0.1f; // of arriving light: discs grow no more

@@ -32,7 +32,8 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
                            const PhotonOptions& options) {
     auto scope = recorder.scope("emit");
     gpu::Gpu& gpu = recorder.gpu();
-    const int cells = std::max(options.photons, int(views.size())), most = cells * (options.both ? 2 : 1);
+    // Every view sends one photon at least, whatever level the others are at.
+    const int cells = options.photons + int(views.size()), most = cells * (options.both ? 2 : 1);
     PhotonBuffers b{.photons = gpu.buffer(std::uint64_t(most) * sizeof(shared::Photon), "photons"),
                     .hits = gpu.buffer(std::uint64_t(most) * sizeof(shared::PhotonHit), "photon hits"),
                     .counts =
@@ -53,7 +54,7 @@ PhotonBuffers emit_photons(gpu::Recorder& recorder, const std::vector<RsmView>& 
             gpu.buffer(sizeof(shared::PickedCells) + 4 * std::uint64_t(cells), "photon cells");
         recorder.fill(picked, 1);
         recorder.dispatch("photon_map/pick.comp", extent_of(pyramids[i]),
-                          shared::PhotonPickParams{cells, int(levels), options.mixed},
+                          shared::PhotonPickParams{options.photons, int(levels), options.mixed},
                           {{"sums", pyramids[i]}, {"counts", b.counts}, {"picked", picked}});
         const GBuffer& g = view.seen.gbuffer;
         const shared::PhotonEmitParams p{.view = view.seen.view,

@@ -72,17 +72,21 @@ void main() {
         Scattered to = scatter(d, n, m, inside, through, u.xy);
 
         // The neighbors' rays go the same way, from where they meet the surface and with its normals there.
-        vec3 plane = unpack_unit(node[LIST_NORMAL]), along = d / dot(plane, d);
-        vec3 x = photon.place_x + photon.turn_x * hit.t, y = photon.place_y + photon.turn_y * hit.t;
-        photon.place_x = x - along * dot(plane, x);
-        photon.place_y = y - along * dot(plane, y);
-        Change cx = normal_change(photon.position, photon.place_x, node), cy = normal_change(photon.position, photon.place_y, node);
-        vec3 to_x = scatter(normalize(d + photon.turn_x), normalize(n + cx.n), m, inside, through, u.xy).direction;
-        vec3 to_y = scatter(normalize(d + photon.turn_y), normalize(n + cy.n), m, inside, through, u.xy).direction;
-        bool lobe = m.ior < 0.0 && m.roughness > 0.0;
-        if (!cx.there || !cy.there || lobe) photon.differential = 0u;
-        photon.turn_x = to_x - to.direction;
-        photon.turn_y = to_y - to.direction;
+        if (photon.differential != 0u) {
+            vec3 plane = unpack_unit(node[LIST_NORMAL]), along = d / dot(plane, d);
+            vec3 x = photon.place_x + photon.turn_x * hit.t, y = photon.place_y + photon.turn_y * hit.t;
+            photon.place_x = x - along * dot(plane, x);
+            photon.place_y = y - along * dot(plane, y);
+            Change cx = normal_change(photon.position, photon.place_x, node), cy = normal_change(photon.position, photon.place_y, node);
+            vec3 to_x = scatter(normalize(d + photon.turn_x), normalize(n + cx.n), m, inside, through, u.xy).direction;
+            vec3 to_y = scatter(normalize(d + photon.turn_y), normalize(n + cy.n), m, inside, through, u.xy).direction;
+            // A neighbor may be reflected totally where this one passes, which leaves it no direction.
+            bool both = dot(to_x, to_x) > 0.0 && dot(to_y, to_y) > 0.0;
+            bool lobe = m.ior < 0.0 && m.roughness > 0.0;
+            if (!both || !cx.there || !cy.there || lobe) photon.differential = 0u;
+            photon.turn_x = to_x - to.direction;
+            photon.turn_y = to_y - to.direction;
+        }
         photon.direction = to.direction;
         photon.power *= to.weight;
         photon.inside = to.inside ? 1u : 0u;

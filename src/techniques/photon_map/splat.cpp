@@ -37,9 +37,10 @@ gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const 
                                 .least = tent ? 1.0f : least_radius,
                                 .most_radius = 0.25f * frame.scene->bounds().radius(),
                                 .delta = delta,
-                                .shift = (std::floor(float(step) / 2) + 0.5f) / float(step) - 0.5f,
-                                .most = photons.most};
+                                .shift = (std::floor(float(step) / 2) + 0.5f) / float(step) - 0.5f};
+    p.frame_size = {p.view.width, p.view.height};
     p.view.width /= float(step), p.view.height /= float(step);
+    p.share = {p.view.width / float(size.width), p.view.height / float(size.height)};
     const gpu::Image sum = recorder.image(size, "photon splats");
     const gpu::RasterPass pass{.color = {{sum, std::array<float, 4>{}, gpu::Blend::add}}};
     const std::vector<gpu::Batch> all = {{.draws = {{.count = std::uint32_t(6 * photons.most)}}}};

@@ -11,7 +11,9 @@ layout(location = 0) out vec4 sum; // W/m2
 
 void main() {
     vec4 seen = texelFetch(guide, ivec2(gl_FragCoord.xy), 0);
-    vec3 from = world_position(p.view, gl_FragCoord.xy + p.shift, seen.a) - p.view.position - middle;
+    // The last pixel of the frame, where a block is cut; see guide.comp.
+    vec2 last = vec2(p.view.width, p.view.height) * (1.0 - 0.5 / p.frame_size);
+    vec3 from = world_position(p.view, min(gl_FragCoord.xy + p.shift, last), seen.a) - p.view.position - middle;
     // On the same surface: as the disc lies, on the side that the light came from.
     bool same = seen.a > 0.0 && dot(seen.xyz, normal.xyz) > 0.7 && abs(dot(from, normal.xyz)) < 0.3 * normal.a;
     float kernel = KERNEL(dot(from, to_u), dot(from, to_v));

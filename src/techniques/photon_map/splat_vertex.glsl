@@ -71,5 +71,8 @@ void main() {
     gl_Position = p.view.world_to_clip * vec4(world + x * sides.x + y * sides.y, 1.0);
     // Coarse pixels show a place beside their centers.
     gl_Position.xy += vec2(-2.0, 2.0) * p.shift / vec2(p.view.width, p.view.height) * gl_Position.w;
+    // The frame's left upper part of the image; +1 is the upper border.
+    gl_Position.x = (gl_Position.x + gl_Position.w) * p.share.x - gl_Position.w;
+    gl_Position.y = gl_Position.w - (gl_Position.w - gl_Position.y) * p.share.y;
     gl_Position.z = 0.5 * gl_Position.w;
 }

@@ -16,8 +16,9 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(irradiance)))) return;
     float z = texelFetch(depth, pixel, 0).r;
-    // Each coarse pixel shows a frame's pixel right below the middle of its block.
+    // Each coarse pixel shows a frame's pixel right below the middle of its block, or in it.
+    vec2 at = vec2(pixel) + (step % 2 == 1 ? 0.5 : 0.0);
     vec3 n = texelFetch(geometric_normal, pixel, 0).xyz;
-    vec4 e = z > 0.0 ? bilateral_upsample(coarse, guide, vec2(pixel), float(step), n, z) : vec4(0);
+    vec4 e = z > 0.0 ? bilateral_upsample(coarse, guide, at, float(step), n, z) : vec4(0);
     imageStore(irradiance, pixel, vec4(e.rgb, 1));
 }

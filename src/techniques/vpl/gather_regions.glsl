@@ -7,7 +7,7 @@ layout(binding = 7, scalar) readonly buffer regions { uint region[]; };
 layout(binding = 8, scalar) readonly buffer region_counts { int region_count[]; };
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = gl_WorkGroupID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x;
     if (int(i) >= region_count[p.level]) return;
     ivec2 cell = ivec2(region[i] & 0xffffu, region[i] >> 16u);
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/error.h"
 #include "scene/surface.h"
 
 namespace luxel {
@@ -96,6 +97,12 @@ IsmMaps imperfect_shadow_maps(gpu::Recorder& recorder, const Frame& frame, const
     recorder.dispatch("vpl/ism_points.comp", {all}, gpu::Recorder::NoParams{}, bindings);
 
     // Nearest of them in each texel, then what the holes between them may show.
+    constexpr int most_side = 16384; // of an image on any device
+    if (p.columns * p.size > most_side)
+        fail(Fault::usage,
+             "vpl: {} virtual point lights with maps of {}x{} texels need an image of more than {} "
+             "texels a side; take fewer vpls or a lower ism_size",
+             vpls.most, p.size, p.size, most_side);
     const std::uint32_t side = std::uint32_t(p.columns * p.size);
     const gpu::Image nearest =
         recorder.image({.width = side, .height = side, .format = VK_FORMAT_R32_UINT}, "ism nearest");

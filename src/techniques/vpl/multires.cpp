@@ -78,7 +78,7 @@ VplRegions vpl_regions(gpu::Recorder& recorder, const Frame& frame, const VplReg
                            {"regions", regions.lists.back()},
                            {"region_counts", regions.counts}});
     }
-    recorder.dispatch("vpl/arguments.comp", {levels}, gpu::Recorder::NoParams{},
+    recorder.dispatch("vpl/arguments.comp", {levels}, options.levels,
                       {{"region_counts", regions.counts}, {"arguments", regions.arguments}});
     return regions;
 }

@@ -105,7 +105,7 @@ Contribution VplTechnique::render(gpu::Recorder& recorder, const Frame& frame) {
     const gpu::Image radiance =
         recorder.image({.width = frame.width, .height = frame.height}, "vpl radiance");
     recorder.dispatch(
-        "vpl/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+        "common/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
         {{"irradiance", irradiance}, {"diffuse", frame.gbuffer.diffuse}, {"radiance", radiance}});
     return {.radiance = radiance};
 }
