@@ -25,7 +25,7 @@ const std::vector<std::string> uses = {
     "photon_map:rsm_size=1024,photons=9600,resolution=128,tracer=lines",
     "photon_map:rsm_size=1024,photons=9600,resolution=128,tracer=layers,layers=4",
     "photon_map:rsm_size=1024,photons=9600,resolution=128,tracer=layers,layers=8",
-    "vpl:gather=multires"};
+    "vpl:gather=multires,vpls=256"};
 constexpr PassTimes tracing = {"photon_map: trace: ", ""};
 
 // What tables 4.1 to 4.5 say: tracing at 256x256 over 128x128; a photon's time with 4 and with 16 times as

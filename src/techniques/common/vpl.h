@@ -11,7 +11,7 @@ namespace luxel {
 enum class VplPattern { even, grid }; // the values of VPL_*
 
 struct VplOptions {
-    int count = 256; // of the whole frame
+    int count = 1024; // of the whole frame
     VplPattern pattern = VplPattern::even;
     void visit(Visitor& v);
 };

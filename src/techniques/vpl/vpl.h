@@ -15,7 +15,7 @@ enum class VplVisibility { none, imperfect_shadow_maps };
 struct VplTechniqueOptions {
     RsmOptions rsm;
     VplOptions vpls;
-    VplGather gather = VplGather::full;
+    VplGather gather = VplGather::multires;
     VplMode mode = VplMode::disc;
     float clamp = 0.0f; // mode=bounded: most of a kernel, 1/m2; 0: bounded by the light's area instead
     VplRegionOptions regions;

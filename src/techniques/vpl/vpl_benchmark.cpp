@@ -44,6 +44,7 @@ struct Stage {
         options.emitter_lights = 0, options.environment = EnvironmentMode::none;
         renderer = std::make_unique<Renderer>(gpu, scene, options);
         kept.options.rsm.lights = {.emitters = 2, .environment = 0};
+        kept.options.vpls.count = 256; // [Le2014, chapter 4]
         renderer->render(
             {.camera = scene.cameras.at(0), .width = size, .height = size, .techniques = {&kept}});
     }

@@ -51,6 +51,7 @@ protected:
 
 VplTechniqueOptions small() {
     VplTechniqueOptions o;
+    o.gather = VplGather::full;
     o.rsm.size = 128, o.vpls.count = 96;
     return o;
 }
