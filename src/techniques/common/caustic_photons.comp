@@ -8,6 +8,7 @@
 #include "techniques/common/cube_trace.glsl"
 #include "techniques/common/caustics_params.h"
 #include "techniques/common/distance_cube_params.h"
+#include "techniques/common/rsm_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform params { CausticPhotonParams p; };
@@ -20,12 +21,6 @@ layout(binding = 11) uniform sampler2D direct; // a = signed_ior
 layout(binding = 12, rgba32f) uniform writeonly image2D hits;   // relative to the center, m; a = 1: a photon
 layout(binding = 13, rgba32f) uniform writeonly image2D powers; // W
 
-// Steradians of a pixel of the view.
-float pixel_solid_angle(vec3 along) {
-    float slant = length(along);
-    return 4.0 * length(p.view.right) * length(p.view.up) / (p.view.width * p.view.height * slant * slant * slant);
-}
-
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(p.view.width, p.view.height)))) return;
@@ -36,13 +31,11 @@ void main() {
     vec3 power = vec3(0);
     bool mirror = ior < 0.0;
     if (z > 0.0 && ior != 0.0 && is_own(p.objects, position) && !(mirror && p.mirrored != 0u)) {
-        vec3 along = (position - p.view.position) / z;
         LightSample light = sample_light(p.light, position);
-        float distance = z * length(along);
         CubeRay ray;
         ray.x = position - p.cube.center;
         ray.r = -light.wi;
-        ray.weight = light.irradiance * (pixel_solid_angle(along) * distance * distance);
+        ray.weight = light.irradiance * pixel_beam_area(p.view, vec2(pixel) + 0.5, position);
         ray.inside = ior > 0.0 && texelFetch(geometric_normal, pixel, 0).a < 0.0;
         ray.depth = 0;
         vec4 material = cube_material(texelFetch(diffuse, pixel, 0).rgb, texelFetch(specular, pixel, 0).rgb, ior);

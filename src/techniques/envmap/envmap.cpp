@@ -62,8 +62,8 @@ void gather(Recorder& recorder, const Frame& frame, const EnvmapOptions& options
 }
 
 void gather_glossy(Recorder& recorder, const Frame& frame, const EnvmapSenders& senders,
-                   const shared::EnvmapGatherParams& p, const gpu::Image& object,
-                   const gpu::Image& radiance) {
+                   const gpu::Image& reflectance, const shared::EnvmapGatherParams& p,
+                   const gpu::Image& object, const gpu::Image& radiance) {
     const GBuffer& g = frame.gbuffer;
     recorder.dispatch("envmap/glossy.comp", extent_of(radiance), p,
                       {{"depth", g.depth},
@@ -74,11 +74,15 @@ void gather_glossy(Recorder& recorder, const Frame& frame, const EnvmapSenders& 
                        {"hardware_depth", g.hardware_depth},
                        {"object_depth", object},
                        {"prefiltered", senders.prefiltered, gpu::Sampler::linear_clamp},
-                       {"reflectance", senders.reflectance, gpu::Sampler::linear_clamp},
+                       {"reflectance", reflectance, gpu::Sampler::linear_clamp},
                        {"radiance", radiance}});
 }
 
 } // namespace
+
+void Envmap::prepare(gpu::Gpu& gpu, const Scene&) {
+    if (options_.glossy) reflectance_ = tabulate_reflectance(gpu);
+}
 
 Contribution Envmap::render(Recorder& recorder, const Frame& frame) {
     auto scope = recorder.scope("envmap");
@@ -102,7 +106,7 @@ Contribution Envmap::render(Recorder& recorder, const Frame& frame) {
         p.probe = int(i);
         const gpu::Image object = object_depth(recorder, frame, only(scene, {objects[i]}));
         gather(recorder, frame, options_, senders, p, object, c.radiance);
-        if (options_.glossy) gather_glossy(recorder, frame, senders, p, object, c.radiance);
+        if (options_.glossy) gather_glossy(recorder, frame, senders, reflectance_, p, object, c.radiance);
     }
     return c;
 }

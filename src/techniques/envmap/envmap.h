@@ -32,10 +32,12 @@ class Envmap final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
     void visit(Visitor& v) override { options_.visit(v); }
+    void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 
 private:
     EnvmapOptions options_;
+    gpu::Image reflectance_; // with options_.glossy
 };
 
 } // namespace luxel

@@ -103,16 +103,18 @@ gpu::Image prefilter(Recorder& recorder, const DistanceCube& cube) {
     return prefiltered;
 }
 
-gpu::Image tabulate_reflectance(Recorder& recorder) {
+} // namespace
+
+gpu::Image tabulate_reflectance(gpu::Gpu& gpu) {
     const std::uint32_t side = std::uint32_t(shared::ENVMAP_REFLECTANCE);
-    gpu::Image table = recorder.image({.width = side, .height = side, .format = VK_FORMAT_R32G32_SFLOAT},
-                                      "envmap reflectance");
+    gpu::Image table =
+        gpu.image({.width = side, .height = side, .format = VK_FORMAT_R32G32_SFLOAT}, "envmap reflectance");
+    Recorder recorder(gpu);
     recorder.dispatch("envmap/reflectance.comp", extent_of(table), Recorder::NoParams{},
                       {{"reflectance", table}});
+    recorder.submit();
     return table;
 }
-
-} // namespace
 
 EnvmapSenders find_senders(Recorder& recorder, const Frame& frame, const std::vector<CubeLayer>& probes,
                            const EnvmapOptions& options) {
@@ -127,8 +129,7 @@ EnvmapSenders find_senders(Recorder& recorder, const Frame& frame, const std::ve
         senders.convolved = convolve(recorder, cube);
     else
         senders.list = list_senders(recorder, cube, probes, options);
-    if (options.glossy)
-        senders.prefiltered = prefilter(recorder, cube), senders.reflectance = tabulate_reflectance(recorder);
+    if (options.glossy) senders.prefiltered = prefilter(recorder, cube);
     return senders;
 }
 

@@ -19,12 +19,14 @@ std::vector<CubeLayer> object_probes(const GpuScene& scene, const std::vector<Sc
 std::vector<CubeLayer> grid_probes(const Bounds& bounds, int longest, shared::EnvmapGatherParams& p);
 
 struct EnvmapSenders {
-    gpu::Buffer list;     // vec4s, see ENVMAP_*; empty for the classic estimator
-    gpu::Image convolved; // cube array, irradiance by normal; of the classic estimator
-    gpu::Image distance;  // cube array, of the probes
-    // With EnvmapOptions::glossy: radiance by direction, a level for each roughness; and reflectance.comp's.
-    gpu::Image prefiltered, reflectance;
+    gpu::Buffer list;       // vec4s, see ENVMAP_*; empty for the classic estimator
+    gpu::Image convolved;   // cube array, irradiance by normal; of the classic estimator
+    gpu::Image distance;    // cube array, of the probes
+    gpu::Image prefiltered; // with EnvmapOptions::glossy: radiance by direction, a level for each roughness
 };
+// What reflectance.comp says; the same for every scene.
+gpu::Image tabulate_reflectance(gpu::Gpu& gpu);
+
 EnvmapSenders find_senders(gpu::Recorder& recorder, const Frame& frame, const std::vector<CubeLayer>& probes,
                            const EnvmapOptions& options);
 
