@@ -4,6 +4,7 @@
 // lux -> W/m2; only ratios matter to an image, and emissive meshes and punctual lights keep theirs.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,12 +46,19 @@ struct Material {
     glm::vec3 specular_color{1.0f};
     float transmission = 0.0f;
     bool thin = true; // no KHR_materials_volume: light passes without refraction
+    // Solids (thin = false): white light that went attenuation_distance meters through the inside has the
+    // color attenuation_color (Beer's law); infinity absorbs nothing.
+    glm::vec3 attenuation_color{1.0f};
+    float attenuation_distance = std::numeric_limits<float>::infinity();
+    float clearcoat = 0.0f,
+          clearcoat_roughness = 0.0f; // KHR_materials_clearcoat: a coat of index 1.5 over it all
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided =
         false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
     TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
-        specular_texture, specular_color_texture, transmission_texture;
+        specular_texture, specular_color_texture, transmission_texture, clearcoat_texture,
+        clearcoat_roughness_texture;
     // Relief behind the surface: texels of 1 lie on it, those of 0 height_scale meters behind (world, along
     // the normal). Red channel, repeating. See scene/height_field.h.
     TextureUse height_texture;
@@ -95,7 +103,9 @@ struct Camera {
         up{0.0f, 1.0f, 0.0f}; // unit, up need not be orthogonal
     float yfov = 0.9f;        // radians, vertical, whole angle
     float near = 0.01f;       // meters
-    float far = 1000.0f;
+    float far = 1000.0f;      // meters; geometry beyond it is not seen
+    float half_height =
+        0.0f; // orthographic when > 0: half of the image's height in meters; yfov has no say then
 };
 
 // Infinitely distant light from an equirectangular map. Direction (0, 1, 0) is the top row; the middle column
