@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shared/sampling.h"
+#include "shared/thin_sheet.h"
 
 namespace luxel {
 
@@ -93,11 +94,7 @@ BsdfSample sample_glass(const ShadingPoint& p, float u) {
     bool thin = s.material->thin;
     float eta = thin || s.front ? s.material->ior : 1.0f / s.material->ior; // behind over in front
     float cos_o = glm::dot(p.normal, p.wo);
-    float fresnel = shared::fresnel_dielectric(cos_o, eta);
-
-    // specular and specular_color scale what the interface reflects, but not total reflection.
-    glm::vec3 reflected =
-        fresnel < 1.0f ? glm::min(fresnel * s.specular * s.specular_color, glm::vec3(1.0f)) : glm::vec3(1.0f);
+    const glm::vec3 reflected = shared::interface_reflectance(cos_o, eta, s.specular * s.specular_color);
     float chance = glm::clamp(luminance(reflected), 0.0f, 1.0f);
     float share = s.transmission / p.glass_chance;
     BsdfSample sample;
