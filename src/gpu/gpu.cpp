@@ -17,8 +17,8 @@ namespace {
 std::uint64_t texel_bytes(VkFormat format) { return std::uint64_t(format_info(format).texel_bytes); }
 
 // One texel as numbers; normalized formats in [0, 1], sRGB ones as they are encoded.
-void decode(VkFormat format, const std::byte* texel, float* out) {
-    const FormatInfo& info = format_info(format);
+void decode(const FormatInfo& info, const std::byte* texel, float* out) {
+    const VkFormat format = info.format;
     const int bytes = info.texel_bytes / info.channels;
     if (format == VK_FORMAT_B10G11R11_UFLOAT_PACK32 || format == VK_FORMAT_A2B10G10R10_UNORM_PACK32) {
         std::uint32_t packed;
@@ -175,10 +175,16 @@ luxel::Image Gpu::read(const Image& image) {
     copy_image_to_buffer(commands, image, staging);
     commands.submit();
 
-    luxel::Image out(int(image.width()), int(image.height()), format_info(format).channels);
+    // 32-bit floats are what the image holds; other formats are decoded.
+    const FormatInfo& info = format_info(format);
+    luxel::Image out(int(image.width()), int(image.height()), info.channels);
     const auto* texel = static_cast<const std::byte*>(staging.data_->storage.mapped);
-    for (std::size_t i = 0; i < out.pixels(); ++i, texel += texel_bytes(format))
-        decode(format, texel, &out.data[i * std::size_t(out.channels)]);
+    if (info.numbers == Numbers::float_ && info.texel_bytes == 4 * info.channels) {
+        std::memcpy(out.data.data(), texel, std::size_t(bytes));
+        return out;
+    }
+    for (std::size_t i = 0; i < out.pixels(); ++i, texel += info.texel_bytes)
+        decode(info, texel, &out.data[i * std::size_t(out.channels)]);
     return out;
 }
 

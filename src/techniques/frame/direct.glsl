@@ -22,25 +22,30 @@ float stored(ivec2 texel, uint map) {
     return texelFetch(shadow_maps, ivec3(clamp(texel, ivec2(0), ivec2(p.map_size) - 1), map), 0).r;
 }
 
-// 3x3 box of bilinearly weighted compares.
+// The 2x2 texels around a corner of texels, in the order of textureGather: (0, 1), (1, 1), (1, 0), (0, 0).
+vec4 stored_around(vec2 corner, uint map) {
+    return textureGather(shadow_maps, vec3(corner / p.map_size, map));
+}
+vec4 gather_weights(vec2 x, vec2 y) { return vec4(x[0] * y[1], x[1] * y[1], x[1] * y[0], x[0] * y[0]); }
+
+// 3x3 box of bilinearly weighted compares: 4x4 texels, of which a gather reads four.
 float percentage_closer(vec2 texel, float z, uint map) {
     vec2 corner = floor(texel - 0.5);
     vec4 wx = pcf_weights(texel.x - 0.5 - corner.x), wy = pcf_weights(texel.y - 0.5 - corner.y);
-    float visible = 0.0;
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x)
-            if (z >= stored(ivec2(corner) + ivec2(x - 1, y - 1), map)) visible += wx[x] * wy[y];
-    return visible;
+    vec4 a = vec4(lessThanEqual(stored_around(corner, map), vec4(z)));
+    vec4 b = vec4(lessThanEqual(stored_around(corner + vec2(2, 0), map), vec4(z)));
+    vec4 c = vec4(lessThanEqual(stored_around(corner + vec2(0, 2), map), vec4(z)));
+    vec4 d = vec4(lessThanEqual(stored_around(corner + vec2(2, 2), map), vec4(z)));
+    return dot(a, gather_weights(wx.xy, wy.xy)) + dot(b, gather_weights(wx.zw, wy.xy)) +
+           dot(c, gather_weights(wx.xy, wy.zw)) + dot(d, gather_weights(wx.zw, wy.zw));
 }
 
 // Bilinear mean of four exponential compares [Rohleder2010, listing 8].
 float exponential(vec2 texel, float r, float cos_theta, uint map) {
     vec2 corner = floor(texel - 0.5), f = texel - 0.5 - corner;
-    vec4 v;
-    for (int i = 0; i < 4; ++i)
-        v[i] = esm_visibility(r, stored(ivec2(corner) + ivec2(i & 1, i >> 1), map), p.esm_exponent,
-                              cos_theta);
-    return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
+    vec4 occluder = stored_around(corner + 1.0, map), v;
+    for (int i = 0; i < 4; ++i) v[i] = esm_visibility(r, occluder[i], p.esm_exponent, cos_theta);
+    return dot(v, gather_weights(vec2(1.0 - f.x, f.x), vec2(1.0 - f.y, f.y)));
 }
 
 // Share of the light that reaches position, 0 to 1. n: geometric normal on the receiver's side.

@@ -2,7 +2,7 @@
 #include "techniques/frame/direct_light.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "core/error.h"
 #include "scene/lights.h"
@@ -11,16 +11,19 @@
 namespace luxel {
 namespace {
 
-// Memory that one size's depth maps may take.
-constexpr std::uint64_t shadow_budget = std::uint64_t(128) << 20;
+// Memory of one batch's depth maps. Batches are drawn and kept as a whole, so small ones are kept longer;
+// each costs a pass over the pixels.
+constexpr std::uint64_t batch_bytes = std::uint64_t(128) << 20;
 constexpr int least_map_size = 64;
 
-// As many layers as the lights can use at once, within the budget; a cube must fit.
-int layer_count(int size, int maps_of_all_lights) {
-    int affordable = int(shadow_budget / (std::uint64_t(size) * std::uint64_t(size) * 4));
-    int useful = std::min(maps_of_all_lights, shared::MAX_BATCH_MAPS);
-    return std::min(useful, std::max(affordable, 6));
+// As many maps as a batch may have; a cube must fit.
+int batch_maps(int size) {
+    const int affordable = int(batch_bytes / (std::uint64_t(size) * std::uint64_t(size) * 4));
+    return std::min(shared::MAX_BATCH_MAPS, std::max(affordable, 6));
 }
+
+// Whether the light's maps depend on what the camera sees.
+bool follows_camera(const shared::Light& light) { return light.type == shared::LIGHT_DIRECTIONAL; }
 
 } // namespace
 
@@ -43,27 +46,18 @@ std::vector<FrameLight> frame_lights(const Scene& scene, const FrameOptions& opt
         for (const shared::Light& light : environment_sample_lights(
                  scene.environment, options.environment_lights, std::uint32_t(options.seed)))
             add(light, 2);
-    std::stable_sort(lights.begin(), lights.end(),
-                     [](const FrameLight& a, const FrameLight& b) { return a.map_size > b.map_size; });
+    std::stable_sort(lights.begin(), lights.end(), [](const FrameLight& a, const FrameLight& b) {
+        return std::pair(a.map_size, follows_camera(a.light)) >
+               std::pair(b.map_size, follows_camera(b.light));
+    });
     return lights;
 }
 
-DirectLight::DirectLight(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options)
-    : options_(options), lights_(frame_lights(scene, options)) {
-    std::map<int, int, std::greater<>> maps_by_size;
-    for (const FrameLight& l : lights_) maps_by_size[l.map_size] += shadow_map_count(l.light);
-    for (auto [size, count] : maps_by_size)
-        maps_.emplace_back(gpu, size, layer_count(size, count), options.shadow);
-}
+DirectLight::DirectLight(const Scene& scene, const FrameOptions& options)
+    : options_(options), lights_(frame_lights(scene, options)) {}
 
-std::vector<gpu::Image> DirectLight::images() const {
-    std::vector<gpu::Image> images;
-    for (const ShadowMaps& maps : maps_)
-        for (const gpu::Image& image : maps.images()) images.push_back(image);
-    return images;
-}
-
-void DirectLight::render(gpu::Recorder& recorder, const std::vector<Capture>& captures) const {
+void DirectLight::render(gpu::Recorder& recorder, ShadowCache& shadows,
+                         const std::vector<Capture>& captures) const {
     LUXEL_ASSERT(!captures.empty(), "lights={}", lights_.size());
     const Bounds& scene = captures.front().scene->bounds();
     std::vector<glm::vec3> receivers;
@@ -71,37 +65,35 @@ void DirectLight::render(gpu::Recorder& recorder, const std::vector<Capture>& ca
         for (glm::vec3 corner : common_corners(scene, frustum_of(c.view.world_to_clip), c.view.position))
             receivers.push_back(corner);
 
-    // Lights are sorted by map size; a batch ends where the size changes, or the maps or the parameters are
-    // full.
-    std::size_t next = 0;
-    for (const ShadowMaps& maps : maps_) {
-        while (next < lights_.size() && lights_[next].map_size == maps.size()) {
-            std::vector<FittedLight> batch;
-            int used = 0;
-            for (; next < lights_.size() && lights_[next].map_size == maps.size(); ++next) {
-                const shared::Light& light = lights_[next].light;
-                int count = shadow_map_count(light);
-                if (used + count > maps.layers() || int(batch.size()) == shared::MAX_BATCH_LIGHTS) break;
-                batch.push_back(fit_shadow_maps(light, scene, receivers, maps.size()));
-                batch.back().light.first_map = shared::uint(used);
-                used += count;
-            }
-            add(recorder, captures, maps, batch);
+    // A batch ends where the maps' size or their dependence on the camera changes, or where it is full.
+    for (std::size_t next = 0; next < lights_.size();) {
+        const FrameLight& first = lights_[next];
+        std::vector<FittedLight> batch;
+        int used = 0;
+        for (; next < lights_.size(); ++next) {
+            const FrameLight& l = lights_[next];
+            const int count = shadow_map_count(l.light);
+            if (l.map_size != first.map_size || follows_camera(l.light) != follows_camera(first.light) ||
+                used + count > batch_maps(l.map_size) || int(batch.size()) == shared::MAX_BATCH_LIGHTS)
+                break;
+            batch.push_back(fit_shadow_maps(l.light, scene, receivers, l.map_size));
+            batch.back().light.first_map = shared::uint(used);
+            used += count;
         }
+        add(recorder, shadows, captures, first.map_size, batch);
     }
 }
 
-void DirectLight::add(gpu::Recorder& recorder, const std::vector<Capture>& captures, const ShadowMaps& maps,
-                      const std::vector<FittedLight>& batch) const {
-    LUXEL_ASSERT(!batch.empty(), "layers={}", maps.layers());
+void DirectLight::add(gpu::Recorder& recorder, ShadowCache& shadows, const std::vector<Capture>& captures,
+                      int map_size, const std::vector<FittedLight>& batch) const {
+    LUXEL_ASSERT(!batch.empty(), "map_size={}", map_size);
     std::vector<shared::ShadowView> views;
     for (const FittedLight& l : batch) views.insert(views.end(), l.views.begin(), l.views.end());
     const Capture& first = captures.front();
-    gpu::Image shadow_maps = maps.draw(recorder, *first.scene, views, options_.esm_exponent, first.search);
+    gpu::Image shadow_maps = shadows.maps(recorder, *first.scene, map_size, views, first.search);
 
-    shared::DirectParams p{.esm_exponent = options_.esm_exponent,
-                           .light_count = int(batch.size()),
-                           .map_size = float(maps.size())};
+    shared::DirectParams p{
+        .esm_exponent = options_.esm_exponent, .light_count = int(batch.size()), .map_size = float(map_size)};
     for (std::size_t i = 0; i < batch.size(); ++i) p.lights[i] = batch[i].light;
     std::copy(views.begin(), views.end(), p.maps);
     static constexpr const char* programs[] = {"frame/direct_hard.comp", "frame/direct_pcf.comp",

@@ -9,6 +9,9 @@ void FrameOptions::visit(Visitor& v) {
     v.integer("shadow_size", shadow_size, {64, 8192},
               "texels a side of a directional or spot light's map; cube faces have half, sampled lights half "
               "of that");
+    v.integer("shadow_memory", shadow_memory, {0, 65536},
+              "MiB of shadow maps kept while nothing moves, at most a quarter of the device's memory; 0: "
+              "drawn for each frame");
     v.real("esm_exponent", esm_exponent, {1, 1000},
            "exponent of exponential shadow maps, light depth in [0, 1]");
     v.integer("emitter_lights", emitter_lights, {0, 65536}, "sample lights that stand for emissive meshes");

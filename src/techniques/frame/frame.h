@@ -70,6 +70,8 @@ struct Frame : Capture {
     // the lights to several captures and draws each shadow map once for them all.
     std::function<Capture(gpu::Recorder&, const CaptureRequest&)> capture_surfaces;
     std::function<void(gpu::Recorder&, const std::vector<Capture>&)> add_light;
+    std::uint64_t motion =
+        0; // changes when instances or lights have moved; what was captured before is old then
     gpu::Image environment; // equirectangular radiance before rotation and scale; 1x1 black without one
 };
 
@@ -81,6 +83,7 @@ enum class EnvironmentMode { none, ambient, lights };
 struct FrameOptions {
     ShadowMode shadow = ShadowMode::pcf;
     int shadow_size = 2048;     // texels a side
+    int shadow_memory = 1024;   // MiB of shadow maps that are kept while what they show does not move
     float esm_exponent = 90.0f; // for light depth in [0, 1]
     int emitter_lights = 64;    // cosine-emitting samples of emissive meshes
     EnvironmentMode environment = EnvironmentMode::lights;

@@ -160,6 +160,11 @@ void GpuScene::upload_geometry(gpu::Gpu& gpu) {
 }
 
 void GpuScene::move_instances(gpu::Gpu& gpu) {
+    std::vector<glm::mat4> transforms;
+    for (const Instance& instance : scene_->instances) transforms.push_back(instance.transform);
+    if (version_ > 0 && transforms == transforms_) return;
+    transforms_ = std::move(transforms), ++version_;
+
     // One draw for each instance, neighbors by material.
     std::vector<shared::InstanceRecord> records;
     objects_.clear(), bounds_ = {};

@@ -30,6 +30,7 @@ public:
 
     // Takes over the transforms that the scene's instances have now; all else must be as it was.
     void move_instances(gpu::Gpu& gpu);
+    std::uint64_t version() const { return version_; } // changes with the transforms
 
     // Instances whose bounds touch the clip volume, one batch for each material (a single one for
     // MaterialUse::none). drawn: one entry for each of the scene's instances; empty = all. apart: those with
@@ -76,7 +77,9 @@ private:
     gpu::Buffer indices_, positions_, normals_, tangents_, texcoords_, colors_, instances_;
     std::vector<Place> places_; // of the scene's meshes
     std::vector<MaterialOnGpu> materials_;
-    std::vector<Object> objects_; // sorted by material
+    std::vector<Object> objects_;       // sorted by material
+    std::vector<glm::mat4> transforms_; // of the scene's instances
+    std::uint64_t version_ = 0;
 };
 
 } // namespace luxel

@@ -19,7 +19,10 @@ namespace luxel {
 
 struct Renderer::Data {
     Data(gpu::Gpu& g, const Scene& s, const FrameOptions& o)
-        : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps), direct(g, s, o), impostors(s) {
+        : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps),
+          shadows(g, o.shadow, o.esm_exponent,
+                  std::min(std::uint64_t(o.shadow_memory) << 20, g.device().memory_bytes / 4)),
+          direct(s, o), impostors(s) {
         if (options.environment == EnvironmentMode::ambient && !scene.environment.empty()) {
             std::vector<glm::vec3> sh = project_environment_sh(scene.environment);
             LUXEL_ASSERT(sh.size() == 9, "size={}", sh.size());
@@ -39,10 +42,12 @@ struct Renderer::Data {
     const Scene& scene;
     FrameOptions options;
     GpuScene on_gpu;
+    ShadowCache shadows;
     DirectLight direct;
     Impostors impostors;
     shared::AmbientParams ambient{};
     gpu::Image environment, open; // open: accessibility 1
+    std::uint64_t motion = 0;     // calls of update_motion
     std::shared_ptr<const void> identity = std::make_shared<int>(0);
 };
 
@@ -111,7 +116,7 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     if (!impostors.empty()) seen.drawn = impostors.refresh(recorder, on_gpu, seen.view, search);
     static_cast<Capture&>(f) = capture_surfaces(recorder, on_gpu, seen, search);
     if (!impostors.empty()) impostors.draw(recorder, f);
-    direct.render(recorder, {f});
+    direct.render(recorder, shadows, {f});
 
     f.capture_surfaces = [this, search, meshes = seen.drawn](gpu::Recorder& r, const CaptureRequest& c) {
         if (!c.behind_frame || meshes.empty()) return capture_surfaces(r, on_gpu, c, search);
@@ -121,7 +126,7 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
         return capture_surfaces(r, on_gpu, behind, search);
     };
     f.add_light = [this](gpu::Recorder& r, const std::vector<Capture>& captures) {
-        direct.render(r, captures);
+        direct.render(r, shadows, captures);
     };
     f.capture = [surfaces = f.capture_surfaces, light = f.add_light](gpu::Recorder& r,
                                                                      const CaptureRequest& c) {
@@ -130,6 +135,7 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
         return capture;
     };
     f.environment = environment;
+    f.motion = motion;
     f.camera = request.camera;
     f.ambient = recorder.image({.width = f.width, .height = f.height}, "ambient");
     f.ambient_sh = ambient;
@@ -173,8 +179,9 @@ Renderer::Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& option
 Renderer::~Renderer() = default;
 
 void Renderer::update_motion() {
+    ++data_->motion;
     data_->on_gpu.move_instances(data_->gpu);
-    data_->direct = DirectLight(data_->gpu, data_->scene, data_->options);
+    data_->direct = DirectLight(data_->scene, data_->options);
 }
 
 RenderResult Renderer::render(const RenderRequest& request) {
@@ -192,6 +199,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
 
     // The frame as a program.
     d.gpu.reset_memory_peak();
+    d.shadows.begin_frame();
     gpu::Recorder recorder(d.gpu);
     Frame frame = d.make_frame(recorder, request);
     std::vector<Contribution> contributions;
@@ -201,6 +209,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
 
     RenderResult result;
     result.passes = sum_by_name(recorder.submit());
+    d.shadows.end_frame();
     result.memory_bytes = d.gpu.memory().peak;
     result.radiance = without_alpha(d.gpu.read(radiance));
     result.mask = d.gpu.read(frame.gbuffer.depth);

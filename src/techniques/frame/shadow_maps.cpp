@@ -133,9 +133,9 @@ ShadowMaps::ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode) : m
     temporary_ = gpu.image(info, "half filtered shadow maps");
 }
 
-std::vector<gpu::Image> ShadowMaps::images() const {
-    if (mode_ != ShadowMode::esm) return {depth_};
-    return {depth_, filtered_};
+std::uint64_t ShadowMaps::bytes_of(int size, int layers, ShadowMode mode) {
+    const std::uint64_t images = mode == ShadowMode::esm ? 3 : 1;
+    return images * 4 * std::uint64_t(size) * std::uint64_t(size) * std::uint64_t(layers);
 }
 
 gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,

@@ -32,7 +32,7 @@ struct LightCone {
 };
 std::vector<LightCone> light_cones(const shared::Light& light);
 
-// Arrays of maps of one size, re-used by every batch of lights.
+// An array of maps of one size.
 class ShadowMaps {
 public:
     ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode);
@@ -44,7 +44,10 @@ public:
     gpu::Image draw(gpu::Recorder& recorder, const GpuScene& scene,
                     const std::vector<shared::ShadowView>& views, float esm_exponent,
                     const std::optional<shared::HeightSearch>& search) const;
-    std::vector<gpu::Image> images() const;
+    std::uint64_t bytes() const {
+        return bytes_of(size(), layers(), mode_);
+    } // of device memory, without padding
+    static std::uint64_t bytes_of(int size, int layers, ShadowMode mode);
 
 private:
     ShadowMode mode_;
