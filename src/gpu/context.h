@@ -11,6 +11,7 @@
 
 #include "gpu/access.h"
 #include "gpu/gpu.h"
+#include "gpu/memory_blocks.h"
 #include "gpu/verifier.h"
 
 namespace luxel::gpu {
@@ -26,7 +27,7 @@ struct ImageStorage {
     using ViewKey = std::tuple<VkImageViewType, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
     VkImage image = VK_NULL_HANDLE;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
+    MemorySlice memory;
     ImageInfo info;
     VkImageUsageFlags usage = 0;
     std::uint64_t bytes = 0;
@@ -37,7 +38,7 @@ struct ImageStorage {
 
 struct BufferStorage {
     VkBuffer buffer = VK_NULL_HANDLE;
-    VkDeviceMemory memory = VK_NULL_HANDLE;
+    MemorySlice memory;
     Memory kind = Memory::device;
     std::uint64_t capacity = 0, bytes = 0;
     void* mapped = nullptr; // upload and readback
@@ -58,6 +59,8 @@ public:
     // Into the pool of free ones.
     void retire(ImageStorage storage);
     void retire(BufferStorage storage);
+
+    std::size_t allocations() const { return blocks_ ? blocks_->count() : 0; }
 
     void set_name(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
@@ -81,8 +84,9 @@ private:
     void make_instance(const GpuOptions& options);
     void make_device();
     void check_size(std::uint64_t bytes, const std::string& name) const;
-    VkResult try_allocate(const VkMemoryAllocateInfo& allocation, VkDeviceMemory& block) const;
-    VkDeviceMemory allocate(const VkMemoryRequirements& needs, Memory kind, const std::string& name);
+    std::optional<MemorySlice> try_allocate(const MemoryWish& wish);
+    MemorySlice allocate(const VkMemoryRequirements& needs, Memory kind, bool linear,
+                         const std::string& name);
     void destroy(ImageStorage& storage);
     void destroy(BufferStorage& storage);
     void trim(std::uint64_t limit);
@@ -93,6 +97,7 @@ private:
     std::list<ImageStorage> free_images_; // oldest first
     std::list<BufferStorage> free_buffers_;
     std::uint64_t free_bytes_ = 0;
+    std::optional<MemoryBlocks> blocks_; // from make_device() on
 };
 
 struct ImageData {

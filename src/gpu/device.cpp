@@ -8,11 +8,15 @@
 
 #include "gpu/check.h"
 #include "gpu/context.h"
+#include "gpu/format.h"
 
 namespace luxel::gpu {
 namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+// Of drivers on top of another interface (MoltenVK), which must be enabled where it is there; its name stands
+// in a header of provisional extensions.
+constexpr const char* portability_subset = "VK_KHR_portability_subset";
 
 // Everything that is asked of a device, in the one chain that both queries and enables.
 struct Features {
@@ -82,6 +86,14 @@ bool has_instance_extension(const char* layer, const char* name) {
                        [&](const auto& e) { return std::strcmp(e.extensionName, name) == 0; });
 }
 
+// Without this flag the loader hides drivers that are not fully conformant; why_unsuitable() says what they
+// lack.
+VkInstanceCreateFlags enumerate_portable(std::vector<const char*>& extensions) {
+    if (!has_instance_extension(nullptr, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) return 0;
+    extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    return VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
+}
+
 // The first family that can do everything; techniques use one queue.
 std::optional<std::uint32_t> queue_family_of(VkPhysicalDevice device) {
     std::uint32_t count = 0;
@@ -116,6 +128,12 @@ std::string why_unsuitable(VkPhysicalDevice device, std::uint32_t api_version) {
     for (const auto& item : features.required()) {
         if (!*item.flag) return fmt::format("it lacks {}", item.name);
     }
+    const std::string missing = missing_format_use([device](VkFormat format) {
+        VkFormatProperties properties{};
+        vkGetPhysicalDeviceFormatProperties(device, format, &properties);
+        return properties.optimalTilingFeatures;
+    });
+    if (!missing.empty()) return "it lacks " + missing;
     return "";
 }
 
@@ -224,8 +242,13 @@ bool validation_available() {
 
 std::vector<DeviceInfo> list_devices() {
     const VkApplicationInfo application = application_info();
+    std::vector<const char*> extensions;
+    const VkInstanceCreateFlags portability = enumerate_portable(extensions);
     const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                      .pApplicationInfo = &application};
+                                      .flags = portability,
+                                      .pApplicationInfo = &application,
+                                      .enabledExtensionCount = std::uint32_t(extensions.size()),
+                                      .ppEnabledExtensionNames = extensions.data()};
     VkInstance instance = VK_NULL_HANDLE;
     if (vkCreateInstance(&create, nullptr, &instance) != VK_SUCCESS) return {};
     std::vector<DeviceInfo> devices;
@@ -283,9 +306,11 @@ void Context::make_instance(const GpuOptions& options) {
     std::vector<const char*> extensions;
     if (debug_utils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (options.validation) extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    const VkInstanceCreateFlags portability = enumerate_portable(extensions);
     const VkApplicationInfo application = application_info();
     const VkInstanceCreateInfo create{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                       .pNext = options.validation ? &messages : nullptr,
+                                      .flags = portability,
                                       .pApplicationInfo = &application,
                                       .enabledLayerCount = options.validation ? 1u : 0u,
                                       .ppEnabledLayerNames = &validation_layer,
@@ -336,6 +361,7 @@ void Context::make_device() {
 
     std::vector<const char*> extensions;
     if (atomic_float) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);
+    if (has_extension(physical, portability_subset)) extensions.push_back(portability_subset);
     const float priority = 1.0f;
     const VkDeviceQueueCreateInfo queues{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
                                          .queueFamilyIndex = queue_family,
@@ -349,10 +375,12 @@ void Context::make_device() {
                                     .ppEnabledExtensionNames = extensions.data()};
     LUXEL_VK(vkCreateDevice(physical, &create, nullptr, &device), info.name);
     vkGetDeviceQueue(device, queue_family, 0, &queue);
+    blocks_.emplace(device);
 }
 
 Context::~Context() {
     trim(0);
+    blocks_.reset();
     vkDestroyDevice(device, nullptr);
     if (messenger_) {
         const auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(

@@ -38,13 +38,13 @@ void Context::check_size(std::uint64_t bytes, const std::string& name) const {
              info.name, largest_allocation >> 20);
 }
 
-VkResult Context::try_allocate(const VkMemoryAllocateInfo& allocation, VkDeviceMemory& block) const {
-    if (memory.now + free_bytes_ + allocation.allocationSize > memory_limit)
-        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return vkAllocateMemory(device, &allocation, nullptr, &block);
+std::optional<MemorySlice> Context::try_allocate(const MemoryWish& wish) {
+    if (memory.now + free_bytes_ + wish.size > memory_limit) return std::nullopt;
+    return blocks_->allocate(wish);
 }
 
-VkDeviceMemory Context::allocate(const VkMemoryRequirements& needs, Memory kind, const std::string& name) {
+MemorySlice Context::allocate(const VkMemoryRequirements& needs, Memory kind, bool linear,
+                              const std::string& name) {
     check_size(needs.size, name);
 
     // Preferences in order; the last one always exists by the specification.
@@ -60,15 +60,16 @@ VkDeviceMemory Context::allocate(const VkMemoryRequirements& needs, Memory kind,
             const bool fits = (needs.memoryTypeBits >> type & 1u) != 0 &&
                               (memory_types.memoryTypes[type].propertyFlags & wish) == wish;
             if (!fits) continue;
-            const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                                  .allocationSize = needs.size,
-                                                  .memoryTypeIndex = type};
-            VkDeviceMemory block = VK_NULL_HANDLE;
-            if (try_allocate(allocation, block) == VK_SUCCESS) return block;
+            const MemoryWish request{.type = type,
+                                     .linear = linear,
+                                     .mapped = kind != Memory::device,
+                                     .size = needs.size,
+                                     .alignment = needs.alignment};
+            if (const auto slice = try_allocate(request)) return *slice;
 
             // The free ones may be what is in the way.
             trim(0);
-            if (try_allocate(allocation, block) == VK_SUCCESS) return block;
+            if (const auto slice = try_allocate(request)) return *slice;
         }
     }
     fail(Fault::resource, "gpu: {}: {} MiB of device memory cannot be had ({} MiB are in use)", name,
@@ -94,6 +95,10 @@ ImageStorage Context::make_image(const ImageInfo& wanted, const std::string& nam
         return storage;
     }
 
+    const std::uint32_t most_layers = properties.limits.maxImageArrayLayers;
+    if (wanted.layers > most_layers)
+        fail(Fault::resource, "gpu: {}: {} layers, but {} allows {}", name, wanted.layers, info.name,
+             most_layers);
     const std::uint32_t largest = properties.limits.maxImageDimension2D;
     if (wanted.width > largest || wanted.height > largest)
         fail(Fault::resource, "gpu: {}: {}x{} pixels, but {} allows {} a side", name, wanted.width,
@@ -119,8 +124,9 @@ ImageStorage Context::make_image(const ImageInfo& wanted, const std::string& nam
     VkMemoryRequirements needs{};
     vkGetImageMemoryRequirements(device, storage.image, &needs);
     try {
-        storage.memory = allocate(needs, Memory::device, name);
-        LUXEL_VK(vkBindImageMemory(device, storage.image, storage.memory, 0), name);
+        storage.memory = allocate(needs, Memory::device, false, name);
+        LUXEL_VK(vkBindImageMemory(device, storage.image, storage.memory.memory, storage.memory.offset),
+                 name);
     } catch (...) {
         destroy(storage);
         throw;
@@ -158,10 +164,10 @@ BufferStorage Context::make_buffer(std::uint64_t capacity, Memory kind, const st
     VkMemoryRequirements needs{};
     vkGetBufferMemoryRequirements(device, storage.buffer, &needs);
     try {
-        storage.memory = allocate(needs, kind, name);
-        LUXEL_VK(vkBindBufferMemory(device, storage.buffer, storage.memory, 0), name);
-        if (kind != Memory::device)
-            LUXEL_VK(vkMapMemory(device, storage.memory, 0, VK_WHOLE_SIZE, 0, &storage.mapped), name);
+        storage.memory = allocate(needs, kind, true, name);
+        LUXEL_VK(vkBindBufferMemory(device, storage.buffer, storage.memory.memory, storage.memory.offset),
+                 name);
+        storage.mapped = storage.memory.mapped;
     } catch (...) {
         destroy(storage);
         throw;
@@ -201,13 +207,13 @@ void Context::trim(std::uint64_t limit) {
 void Context::destroy(ImageStorage& storage) {
     for (const auto& [key, view] : storage.views) vkDestroyImageView(device, view, nullptr);
     vkDestroyImage(device, storage.image, nullptr);
-    vkFreeMemory(device, storage.memory, nullptr);
+    blocks_->free(storage.memory);
 }
 
 void Context::destroy(BufferStorage& storage) {
     for (const auto& [format, view] : storage.texel_views) vkDestroyBufferView(device, view, nullptr);
     vkDestroyBuffer(device, storage.buffer, nullptr);
-    vkFreeMemory(device, storage.memory, nullptr);
+    blocks_->free(storage.memory);
 }
 
 ImageData::ImageData(std::shared_ptr<Context> c, const ImageInfo& info, std::string image_name)
