@@ -123,6 +123,22 @@ void Commands::start() {
     LUXEL_VK(vkBeginCommandBuffer(preamble_, &begin_info), "recorder");
     LUXEL_VK(vkBeginCommandBuffer(body_, &begin_info), "recorder");
     started_ = true;
+    stamp(preamble_);
+}
+
+// One more of the submit's timestamps.
+void Commands::stamp(VkCommandBuffer target) {
+    const std::uint32_t pool = stamps_ / queries_per_pool, query = stamps_ % queries_per_pool;
+    ++stamps_;
+    if (pool >= queries_.size()) {
+        const VkQueryPoolCreateInfo create{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                           .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                           .queryCount = queries_per_pool};
+        queries_.push_back(VK_NULL_HANDLE);
+        LUXEL_VK(vkCreateQueryPool(context().device, &create, nullptr, &queries_.back()), "timestamps");
+    }
+    if (query == 0) vkCmdResetQueryPool(target, queries_[pool], 0, queries_per_pool);
+    vkCmdWriteTimestamp2(target, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_[pool], query);
 }
 
 void Commands::add_barrier(std::size_t resource, std::size_t index, const Transition& t, Barriers& barriers,
@@ -184,7 +200,6 @@ void Commands::begin(const std::string& name) {
     start();
     std::string prefix;
     for (const std::string& scope : scopes_) prefix += scope + ": ";
-    const auto first = std::uint32_t(2 * passes_.size());
     const std::string& label = passes_.emplace_back(prefix + name); // a deque: it stays where it is
 
     // Barriers, then the accesses that they allow.
@@ -210,17 +225,6 @@ void Commands::begin(const std::string& name) {
     touched_.clear();
     record(body_, barriers);
 
-    // Timestamps follow the barriers, so a pass is not charged for what it waits for.
-    if (first / queries_per_pool >= queries_.size()) {
-        const VkQueryPoolCreateInfo create{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                           .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                           .queryCount = queries_per_pool};
-        queries_.push_back(VK_NULL_HANDLE);
-        LUXEL_VK(vkCreateQueryPool(context().device, &create, nullptr, &queries_.back()), "timestamps");
-    }
-    VkQueryPool pool = queries_[first / queries_per_pool];
-    if (first % queries_per_pool == 0) vkCmdResetQueryPool(body_, pool, 0, queries_per_pool);
-    vkCmdWriteTimestamp2(body_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool, first % queries_per_pool);
     if (context().begin_label) {
         const VkDebugUtilsLabelEXT text{.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT,
                                         .pLabelName = label.c_str()};
@@ -229,10 +233,8 @@ void Commands::begin(const std::string& name) {
 }
 
 void Commands::end() {
-    const std::uint32_t query = std::uint32_t(2 * passes_.size() - 1);
     if (context().end_label) context().end_label(body_);
-    vkCmdWriteTimestamp2(body_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_[query / queries_per_pool],
-                         query % queries_per_pool);
+    stamp(body_);
 }
 
 void Commands::push_scope(std::string name) { scopes_.push_back(std::move(name)); }
@@ -325,7 +327,7 @@ std::vector<PassTime> Commands::submit() {
 
 std::vector<PassTime> Commands::read_times() {
     const double period_ms = double(context().properties.limits.timestampPeriod) * 1e-6;
-    std::vector<std::uint64_t> ticks(2 * passes_.size());
+    std::vector<std::uint64_t> ticks(stamps_);
     for (std::size_t first = 0; first < ticks.size(); first += queries_per_pool) {
         const std::size_t count = std::min<std::size_t>(queries_per_pool, ticks.size() - first);
         LUXEL_VK(vkGetQueryPoolResults(context().device, queries_[first / queries_per_pool], 0,
@@ -334,9 +336,12 @@ std::vector<PassTime> Commands::read_times() {
                                        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
                  "timestamps");
     }
+    // A pass lasts from the end of the pass before it to its own end, so that nothing between the submit's
+    // first stamp and its last is lost. A stamp at the pass's own begin would not do: CPU drivers write it
+    // together with the pass's results, when the pass is over.
     std::vector<PassTime> times;
     for (std::size_t i = 0; i < passes_.size(); ++i)
-        times.push_back({passes_[i], double(ticks[2 * i + 1] - ticks[2 * i]) * period_ms});
+        times.push_back({passes_[i], double(ticks[i + 1] - ticks[i]) * period_ms});
     return times;
 }
 
@@ -344,6 +349,7 @@ void Commands::reset() {
     LUXEL_VK(vkResetFences(context().device, 1, &fence_), "recorder");
     LUXEL_VK(vkResetCommandPool(context().device, pool_, 0), "recorder");
     started_ = false;
+    stamps_ = 0;
     events_.clear();
     passes_.clear();
     index_.clear();

@@ -77,6 +77,7 @@ private:
     Resource& resource_of(const Image& image);
     Resource& resource_of(const Buffer& buffer);
     void start();
+    void stamp(VkCommandBuffer target);
     void require(Sub& sub, std::size_t resource, std::size_t index, Barriers& barriers);
     void add_barrier(std::size_t resource, std::size_t sub, const Transition& t, Barriers& barriers,
                      std::vector<Event>& events);
@@ -97,7 +98,8 @@ private:
     std::unordered_map<void*, std::size_t> index_;
     std::vector<std::size_t> touched_;
     std::vector<Event> events_;
-    std::deque<std::string> passes_; // names; queries 2 i and 2 i + 1 are the times of pass i
+    std::deque<std::string> passes_; // names; pass i ends at timestamp i + 1, the submit begins at 0
+    std::uint32_t stamps_ = 0;       // of this submit
     std::vector<std::string> scopes_;
     std::vector<std::shared_ptr<void>> kept_;
 };
