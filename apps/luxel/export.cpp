@@ -25,7 +25,7 @@ void run(const Options& o, const Global& global) {
         fail(Fault::usage, "{}: output: expected a name that ends in .pov", o.output);
     check_writable(o.output);
     const Scene scene = with_height_fields(load(o.scene, global));
-    const Camera camera = choose_views(RayCaster(scene), {.file = o.cameras, .names = {o.view}})[0];
+    const Camera camera = choose_views(scene, {.file = o.cameras, .names = {o.view}})[0];
     const std::vector<std::string> approximated =
         write_povray(o.output, scene, camera, size.width, size.height, o.settings);
 

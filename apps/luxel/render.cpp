@@ -25,9 +25,8 @@ RenderResult render(const Scene& scene, const Options& o, const FrameOptions& fr
     gpu::Gpu gpu({.device = o.device});
     device = gpu.device();
     Renderer renderer(gpu, scene, frame);
-    const RayCaster rays(scene);
     RenderRequest request;
-    request.camera = choose_views(rays, {.file = o.cameras, .names = {o.view}})[0];
+    request.camera = choose_views(scene, {.file = o.cameras, .names = {o.view}})[0];
     request.width = size.width, request.height = size.height;
     for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
     if (!o.image.empty()) request.images = {o.image};

@@ -23,13 +23,32 @@ const Camera* find_view(const std::vector<Camera>& cameras, const std::string& w
     return nullptr;
 }
 
-std::vector<Camera> all_views(const RayCaster& rays, const ViewChoice& choice) {
+// rays: null to have them built where views are drawn.
+std::vector<Camera> all_views(const Scene& scene, const RayCaster* rays, const ViewChoice& choice) {
     if (!choice.file.empty() && choice.drawn > 0)
         fail(Fault::usage, "{}: cameras: give a camera script or a number of drawn views, not both",
              choice.file);
     if (!choice.file.empty()) return load_camera_file(choice.file);
-    if (choice.drawn > 0) return draw_views(rays.scene(), rays, choice.drawn, choice.seed);
-    return rays.scene().cameras;
+    if (choice.drawn == 0) return scene.cameras;
+    if (rays) return draw_views(scene, *rays, choice.drawn, choice.seed);
+    return draw_views(scene, RayCaster(scene), choice.drawn, choice.seed);
+}
+
+std::vector<Camera> chosen_of(std::vector<Camera> all, const ViewChoice& choice) {
+    make_names_unique(all);
+    if (choice.names.empty()) return all;
+
+    std::vector<Camera> chosen;
+    for (const std::string& name : choice.names) {
+        const Camera* camera = find_view(all, name);
+        if (!camera) {
+            std::vector<std::string> known;
+            for (const Camera& c : all) known.push_back(c.name);
+            fail(Fault::usage, "--view {}: no such view; known: {}", name, fmt::join(known, ", "));
+        }
+        chosen.push_back(*camera);
+    }
+    return chosen;
 }
 
 } // namespace
@@ -54,21 +73,11 @@ void make_names_unique(std::vector<Camera>& cameras) {
 }
 
 std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice) {
-    std::vector<Camera> all = all_views(rays, choice);
-    make_names_unique(all);
-    if (choice.names.empty()) return all;
+    return chosen_of(all_views(rays.scene(), &rays, choice), choice);
+}
 
-    std::vector<Camera> chosen;
-    for (const std::string& name : choice.names) {
-        const Camera* camera = find_view(all, name);
-        if (!camera) {
-            std::vector<std::string> known;
-            for (const Camera& c : all) known.push_back(c.name);
-            fail(Fault::usage, "--view {}: no such view; known: {}", name, fmt::join(known, ", "));
-        }
-        chosen.push_back(*camera);
-    }
-    return chosen;
+std::vector<Camera> choose_views(const Scene& scene, const ViewChoice& choice) {
+    return chosen_of(all_views(scene, nullptr, choice), choice);
 }
 
 } // namespace luxel

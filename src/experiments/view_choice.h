@@ -19,6 +19,8 @@ struct ViewChoice {
 
 // Names are unique and never empty. Error Fault::usage for a view that is not there (the known are listed).
 std::vector<Camera> choose_views(const RayCaster& rays, const ViewChoice& choice);
+// The same where no ray caster is at hand: one is built only where views are drawn.
+std::vector<Camera> choose_views(const Scene& scene, const ViewChoice& choice);
 
 // Gives each a name of its own, also as a file name: "view0" where there is none, "a-2" for a second "a".
 void make_names_unique(std::vector<Camera>& cameras);
