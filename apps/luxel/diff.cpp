@@ -75,7 +75,7 @@ void add_diff(CLI::App& app, const Global& global) {
     command->add_option("--layer", o->layer, "Of the .exr files; default: the unnamed one, or the only one");
     command->add_option("-o,--output", o->output, "Picture of the negative difference, .png or .exr");
     command->footer(
-        "Radiance is shown under the reference's exposure (98th percentile of luminance to white) for every\n"
+        "Radiance is shown under the reference's exposure (98th percentile to white) for every\n"
         "metric but rmse, relmse and flip_hdr. A layer 'mask' in the reference leaves pixels out.\n"
         "evaluator_mean: FLIP's map added up in single precision, as the published evaluator does.\n"
         "Example: luxel diff truth.exr picture.exr --baseline direct.exr -o difference.png");

@@ -121,7 +121,7 @@ void add_reference(CLI::App& app, const Global& global) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     command->add_option("--resume", o->resume, "Checkpoint: continued when it is there, kept up to date");
-    command->add_option("--exposure", o->exposure, "For .png; 0 = 98th percentile of luminance to white")
+    command->add_option("--exposure", o->exposure, "For .png; 0 = 98th percentile to white")
         ->check(CLI::NonNegativeNumber);
     std::string names;
     for (const ParameterInfo& p : parameters_of(o->reference)) names += (names.empty() ? "" : ", ") + p.name;

@@ -77,7 +77,7 @@ void add_render(CLI::App& app, const Global& global) {
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
     command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");
     command->add_option("--image", o->image, "Write this intermediate image instead, e.g. depth, normal");
-    command->add_option("--exposure", o->exposure, "For .png; 0 = 98th percentile of luminance to white")
+    command->add_option("--exposure", o->exposure, "For .png; 0 = 98th percentile to white")
         ->check(CLI::NonNegativeNumber);
     command->footer("Example: luxel render builtin:cornell --use isr:samples=80 -o picture.png");
     command->callback([o, &global] { run(*o, global); });

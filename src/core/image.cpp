@@ -38,18 +38,20 @@ namespace {
 
 constexpr int exposure_blocks = 48; // along the height
 
-// Mean luminance of the pixels that count in one square of the image; nothing where none does.
-std::optional<float> block_luminance(const Image& image, const Image& mask, int left, int top, int side) {
-    double sum = 0.0;
+// The brightest channel of the mean of the pixels that count in one square of the image; nothing where none
+// does.
+std::optional<float> block_level(const Image& image, const Image& mask, int left, int top, int side) {
+    glm::dvec3 sum(0.0);
     int count = 0;
     for (int y = top; y < std::min(top + side, image.height); ++y)
         for (int x = left; x < std::min(left + side, image.width); ++x) {
             if (!mask.empty() && !(*mask.at(x, y) > 0.0f)) continue;
-            const float value = luminance(image.rgb(x, y));
-            if (std::isfinite(value)) sum += double(std::max(value, 0.0f)), ++count;
+            const glm::vec3 value = image.rgb(x, y);
+            if (!std::isfinite(value.r + value.g + value.b)) continue;
+            sum += glm::dvec3(glm::max(value, 0.0f)), ++count;
         }
     if (count == 0) return std::nullopt;
-    return float(sum / count);
+    return float(std::max({sum.r, sum.g, sum.b}) / count);
 }
 
 } // namespace
@@ -57,12 +59,13 @@ std::optional<float> block_luminance(const Image& image, const Image& mask, int 
 float exposure_of(const Image& reference, const Image& mask) {
     LUXEL_ASSERT(mask.empty() || (mask.width == reference.width && mask.height == reference.height),
                  "mask {}x{}, image {}x{}", mask.width, mask.height, reference.width, reference.height);
-    // Blocks, not pixels: the bright end of a noisy image is its noise.
+    // Blocks, not pixels: the bright end of a noisy image is its noise. The brightest channel, not the
+    // luminance: under a blue lamp, whose luminance is small, the display would clip all but the dark.
     const int side = std::max(1, reference.height / exposure_blocks);
     std::vector<float> values;
     for (int y = 0; y < reference.height; y += side)
         for (int x = 0; x < reference.width; x += side)
-            if (const auto value = block_luminance(reference, mask, x, y, side)) values.push_back(*value);
+            if (const auto value = block_level(reference, mask, x, y, side)) values.push_back(*value);
 
     // Where more than 98 % of the blocks are black, the percentile of the lit ones is meant.
     const auto percentile = [&values] {

@@ -43,9 +43,9 @@ float srgb_encode(float linear); // [0, 1] -> [0, 1]
 float srgb_decode(float encoded);
 Image display(const Image& radiance, float exposure);
 
-// The exposure that sends the 98th percentile of the reference's luminance to 1, taken over blocks of 1/48 of the
-// height, whose means hardly depend on noise. mask (1 channel, may be empty): only pixels > 0 count. A black
-// image gives 1.
+// The exposure that sends the 98th percentile of the reference to 1, taken over blocks of 1/48 of the height, whose
+// means hardly depend on noise; a block's level is its brightest channel, so that the color of a lamp does not
+// matter. mask (1 channel, may be empty): only pixels > 0 count. A black image gives 1.
 float exposure_of(const Image& reference, const Image& mask);
 
 } // namespace luxel

@@ -38,6 +38,22 @@ TEST(Image, ExposureSendsThePercentileToOne) {
     EXPECT_NEAR(exposure_of(ramp, mask) * 10.0f, 1.0f, 1e-5);
 }
 
+// A gray picture is exposed as by its luminance; a colored one as if its lamp had been white.
+TEST(Image, ExposureDoesNotDependOnTheColorOfTheLamp) {
+    for (const glm::vec3 lamp : {glm::vec3(1, 1, 1), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0),
+                                 glm::vec3(0, 0, 1), glm::vec3(0.2f, 1, 0.5f)}) {
+        Image ramp(100, 1, 3);
+        for (int x = 0; x < 100; ++x) ramp.set_rgb(x, 0, lamp * float(x + 1));
+        EXPECT_NEAR(exposure_of(ramp, {}) * 98.0f, 1.0f, 1e-5) << lamp.r << lamp.g << lamp.b;
+    }
+    // Of a block's mean: pixels of three colors that take turns make it gray.
+    Image turns(48, 96, 3);
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 48; ++x)
+            turns.set_rgb(x, y, (x + y) % 2 ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 1));
+    EXPECT_NEAR(exposure_of(turns, {}), 2.0f, 1e-5);
+}
+
 // Noise of single pixels, as strong as the signal, must not darken the picture.
 TEST(Image, ExposureDoesNotFollowNoise) {
     Image noisy(512, 384, 3);

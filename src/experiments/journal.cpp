@@ -17,7 +17,8 @@ namespace luxel {
 
 namespace {
 
-constexpr std::uint32_t journal_version = 1; // raised with every change of what a view's file holds
+constexpr std::uint32_t journal_version =
+    2; // raised with every change of what a view's file holds, or how it is measured
 constexpr std::uint64_t largest_file = std::uint64_t(1) << 28;
 
 void add(ContentKey& key, const std::vector<ParameterInfo>& parameters) {

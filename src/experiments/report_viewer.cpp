@@ -115,7 +115,7 @@ function conventions() {
     ...(results.ao ? entry("Accessibility", "1 = open; its nearest occluder within " + results.ao.radius + " m counts by " +
       `membership ${results.ao.membership}; every figure is of linear values in [0, 1]; the baseline is open everywhere`) : [
     ...entry("Display values", "delta, gain, rho, improved, PSNR, SSIM and FLIP: one exposure per view (98th percentile of the " +
-      "reference's luminance to 1), clamped, sRGB curve"),
+      "reference's brightest channel to 1), clamped, sRGB curve"),
     ...entry("Radiance", "RMSE and relMSE: linear, not clamped")]),
     ...entry("Background", "left out of every figure"),
     ...entry("Noise", "delta between two halves of the reference's samples, halved; what it adds to delta, gain, rho, improved, " +
