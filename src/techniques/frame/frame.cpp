@@ -21,6 +21,9 @@ void FrameOptions::visit(Visitor& v) {
     v.integer("environment_lights", environment_lights, {0, 65536},
               "directional lights, environment=lights only");
     v.integer("seed", seed, {0, 2147483647}, "of the sample lights");
+    v.integer("supersample", supersample, {1, 8},
+              "antialiasing: the frame and its techniques at this many times the width and height, then the "
+              "mean of each pixel's square");
     v.flag("mipmaps", mipmaps, "off: textures are looked up bilinearly at full size, as in the reference");
 }
 

@@ -89,6 +89,8 @@ struct FrameOptions {
     EnvironmentMode environment = EnvironmentMode::lights;
     int environment_lights = 32;
     int seed = 1;
+    int supersample =
+        1; // the frame and all techniques at this many times the width and height, then averaged
     bool mipmaps = true; // false: mip 0 only, as the reference looks textures up
     void visit(Visitor& v);
 };

@@ -38,6 +38,9 @@ struct Renderer::Data {
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
 
+    // The mean of each pixel's samples; the image itself where a pixel has one.
+    gpu::Image average(gpu::Recorder& recorder, const gpu::Image& image, const std::string& name) const;
+
     gpu::Gpu& gpu;
     const Scene& scene;
     FrameOptions options;
@@ -85,6 +88,19 @@ Image without_alpha(const Image& rgba) {
     return rgb;
 }
 
+// 1 where at least half of a pixel's square of samples has a depth.
+Image mask_of(const Image& depth, int samples) {
+    Image mask(depth.width / samples, depth.height / samples, 1);
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            int seen = 0;
+            for (int i = 0; i < samples * samples; ++i)
+                seen += *depth.at(x * samples + i % samples, y * samples + i / samples) > 0.0f;
+            *mask.at(x, y) = 2 * seen >= samples * samples ? 1.0f : 0.0f;
+        }
+    return mask;
+}
+
 // Slots are in order, so the occlusion slot's accessibility comes before any other's. None: an empty handle.
 gpu::Image accessibility_of(const std::vector<Contribution>& contributions) {
     auto found = std::find_if(contributions.begin(), contributions.end(),
@@ -112,7 +128,9 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
         if (t->slot() == Slot::surface) search = t->height_search();
 
     // What the camera sees. Impostors are in this view alone, and nothing is behind them.
-    CaptureRequest seen{.view = view_params(request.camera, request.width, request.height)};
+    const int samples = options.supersample;
+    CaptureRequest seen{.view =
+                            view_params(request.camera, request.width * samples, request.height * samples)};
     if (!impostors.empty()) seen.drawn = impostors.refresh(recorder, on_gpu, seen.view, search);
     static_cast<Capture&>(f) = capture_surfaces(recorder, on_gpu, seen, search);
     if (!impostors.empty()) impostors.draw(recorder, f);
@@ -174,6 +192,18 @@ gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
     return radiance;
 }
 
+gpu::Image Renderer::Data::average(gpu::Recorder& recorder, const gpu::Image& image,
+                                   const std::string& name) const {
+    if (options.supersample == 1 || !image) return image;
+    const auto side = std::uint32_t(options.supersample);
+    const gpu::Image mean = recorder.image(
+        {.width = image.width() / side, .height = image.height() / side, .format = image.info().format},
+        name);
+    recorder.dispatch("frame/average.comp", extent_of(mean), gpu::Recorder::NoParams{},
+                      {{"from", image}, {"to", mean}});
+    return mean;
+}
+
 Renderer::Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options)
     : data_(std::make_unique<Data>(gpu, scene, options)) {}
 Renderer::~Renderer() = default;
@@ -185,10 +215,10 @@ void Renderer::update_motion() {
 }
 
 RenderResult Renderer::render(const RenderRequest& request) {
-    if (request.width < 1 || request.height < 1 || request.width > max_image_side ||
-        request.height > max_image_side)
-        fail(Fault::usage, "{}x{}: the image size must be 1 to {} on both sides", request.width,
-             request.height, max_image_side);
+    const int samples = data_->options.supersample, most = max_image_side / samples;
+    if (request.width < 1 || request.height < 1 || request.width > most || request.height > most)
+        fail(Fault::usage, "{}x{}: the image size must be 1 to {} on both sides{}", request.width,
+             request.height, most, samples > 1 ? fmt::format(" with supersample={}", samples) : "");
     Data& d = *data_;
     std::vector<Technique*> techniques = by_slot(request.techniques);
     for (Technique* t : techniques) {
@@ -204,17 +234,19 @@ RenderResult Renderer::render(const RenderRequest& request) {
     Frame frame = d.make_frame(recorder, request);
     std::vector<Contribution> contributions;
     for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
-    const gpu::Image accessibility = accessibility_of(contributions);
-    gpu::Image radiance = d.compose(recorder, frame, contributions, accessibility);
+    const gpu::Image open_share = accessibility_of(contributions);
+    const gpu::Image radiance =
+        d.average(recorder, d.compose(recorder, frame, contributions, open_share), "mean radiance");
+    const gpu::Image accessibility =
+        request.accessibility ? d.average(recorder, open_share, "mean accessibility") : gpu::Image();
 
     RenderResult result;
     result.passes = sum_by_name(recorder.submit());
     d.shadows.end_frame();
     result.memory_bytes = d.gpu.memory().peak;
     result.radiance = without_alpha(d.gpu.read(radiance));
-    result.mask = d.gpu.read(frame.gbuffer.depth);
-    for (float& v : result.mask.data) v = v > 0.0f ? 1.0f : 0.0f;
-    if (request.accessibility && accessibility) result.accessibility = d.gpu.read(accessibility);
+    result.mask = mask_of(d.gpu.read(frame.gbuffer.depth), samples);
+    if (accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)
         result.images[name] = d.gpu.read(find_image(recorder, name));
     return result;

@@ -17,8 +17,8 @@ struct RenderRequest {
     int width = 0, height = 0;
     std::vector<Technique*>
         techniques; // prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot
-    std::vector<std::string>
-        images;                 // names of intermediate images to read back ("depth", "isr irradiance", ...)
+    std::vector<std::string> images; // names of intermediate images to read back ("depth", "isr irradiance",
+                                     // ...), as large as they are, supersampled ones with all their samples
     bool accessibility = false; // read back what composition multiplies the ambient term by
 };
 

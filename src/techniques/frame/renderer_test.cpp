@@ -318,6 +318,38 @@ TEST_F(FrameTest, CompositionAddsContributionsAndScalesTheAmbientTerm) {
     EXPECT_TRUE(renderer.render(request).accessibility.empty());
 }
 
+// The same lights see the same samples, so that only the order of a sum differs.
+TEST_F(FrameTest, SupersamplingIsTheMeanOfALargerFrame) {
+    Scene scene = floor_scene();
+    shared::Light lamp{};
+    lamp.type = shared::LIGHT_POINT, lamp.position = {0.3f, 1.0f, 0.2f}, lamp.intensity = glm::vec3(2.0f);
+    scene.lights = {lamp};
+    scene.environment = uniform_environment(glm::vec3(0.25f));
+    scene.cameras[0].yfov = 1.3f, scene.cameras[0].up = glm::normalize(glm::vec3(0.3f, 0.0f, -1.0f));
+    const FrameOptions options{.environment = EnvironmentMode::ambient};
+    const int side = 3, width = 31, height = 23;
+    const RenderResult large =
+        render(scene, options, {.width = side * width, .height = side * height, .images = {"depth"}});
+    FrameOptions fine = options;
+    fine.supersample = side;
+    const RenderResult mean = render(scene, fine, {.width = width, .height = height});
+    ASSERT_EQ(mean.radiance.width, width);
+    int borders = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::vec3 sum(0.0f);
+            float seen = 0.0f;
+            for (int i = 0; i < side * side; ++i) {
+                const int u = x * side + i % side, v = y * side + i / side;
+                sum += large.radiance.rgb(u, v) / float(side * side), seen += *large.mask.at(u, v);
+            }
+            EXPECT_NEAR(mean.radiance.rgb(x, y).g, sum.g, 1e-5f * sum.g) << x << " " << y;
+            EXPECT_EQ(*mean.mask.at(x, y), seen >= 5.0f ? 1.0f : 0.0f) << x << " " << y;
+            borders += seen > 0.0f && seen < 9.0f;
+        }
+    EXPECT_GT(borders, 20);
+}
+
 TEST_F(FrameTest, MisuseIsAnErrorWithAReason) {
     Scene scene = floor_scene();
     Constant a, b;
