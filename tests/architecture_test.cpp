@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/build_folders.h"
+
 namespace luxel {
 namespace {
 

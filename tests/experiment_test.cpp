@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "core/process.h"
+#include "support/build_folders.h"
 #include "support/luxel_process.h"
 
 namespace luxel::testing {

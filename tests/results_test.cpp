@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/build_folders.h"
 #include "support/luxel_process.h"
 
 namespace luxel::testing {

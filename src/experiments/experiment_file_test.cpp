@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "support/build_folders.h"
 #include "support/temporary_folder.h"
 
 namespace luxel {

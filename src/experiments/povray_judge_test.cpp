@@ -11,6 +11,7 @@
 #include "experiments/components.h"
 #include "reference/reference.h"
 #include "scene/load.h"
+#include "support/build_folders.h"
 
 namespace luxel {
 namespace {

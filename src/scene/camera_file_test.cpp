@@ -10,6 +10,7 @@
 #include "core/file.h"
 #include "scene/procedural.h"
 #include "scene/views.h"
+#include "support/build_folders.h"
 
 namespace luxel {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "scene/environment.h"
 #include "scene/validate.h"
+#include "support/build_folders.h"
 #include "support/data.h"
 
 namespace luxel {

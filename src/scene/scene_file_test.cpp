@@ -13,6 +13,7 @@
 #include "core/file.h"
 #include "core/image_io.h"
 #include "scene/lights.h"
+#include "support/build_folders.h"
 #include "support/data.h"
 
 namespace luxel {

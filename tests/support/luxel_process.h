@@ -12,6 +12,7 @@
 
 #include <sys/wait.h>
 
+#include "support/build_folders.h"
 #include "support/temporary_folder.h"
 
 namespace luxel::testing {
