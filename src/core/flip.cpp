@@ -243,9 +243,13 @@ Image error_map(const Image& reference, const Image& test, double pixels_per_deg
     return map;
 }
 
-FlipResult pooled(Image map) {
+FlipResult pooled(Image map, const Image& mask) {
     FlipResult result;
-    std::vector<float> sorted = map.data;
+    std::vector<float> sorted = inside(map, mask);
+    if (!mask.empty())
+        for (std::size_t i = 0; i < map.data.size(); ++i)
+            if (!(mask.data[i] > 0.0f)) map.data[i] = 0.0f;
+    if (sorted.empty()) sorted.push_back(0.0f); // nothing counts
     std::sort(sorted.begin(), sorted.end());
     const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
     result.mean = sum / double(sorted.size());
@@ -285,23 +289,46 @@ template <class Map> Image mapped(const Image& image, Map&& map) {
     return result;
 }
 
-void check_pair(const Image& reference, const Image& test) {
+void check_pair(const Image& reference, const Image& test, const Image& mask) {
     LUXEL_ASSERT(reference.width == test.width && reference.height == test.height && !reference.empty(),
                  "{}x{} against {}x{}", reference.width, reference.height, test.width, test.height);
+    LUXEL_ASSERT(mask.empty() || mask.data.size() == reference.pixels(), "mask {}x{}x{}, image {}x{}",
+                 mask.width, mask.height, mask.channels, reference.width, reference.height);
+}
+
+// `image` where the mask counts, `outside` where it does not.
+Image joined(const Image& image, const Image& outside, const Image& mask) {
+    Image result(image.width, image.height, 3);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            result.set_rgb(x, y, (mask.empty() || *mask.at(x, y) > 0.0f ? image : outside).rgb(x, y));
+    return result;
 }
 
 } // namespace
 
-FlipResult flip_ldr(const Image& reference, const Image& test, double pixels_per_degree) {
-    check_pair(reference, test);
-    const auto decode = [](float value) { return srgb_decode(std::min(finite(value), 1.0f)); };
-    return pooled(error_map(mapped(reference, decode), mapped(test, decode), pixels_per_degree));
+std::vector<float> inside(const Image& map, const Image& mask) {
+    if (mask.empty()) return map.data;
+    std::vector<float> values;
+    for (std::size_t i = 0; i < map.data.size(); ++i)
+        if (mask.data[i] > 0.0f) values.push_back(map.data[i]);
+    return values;
 }
 
-HdrExposures flip_exposures(const Image& reference) {
+FlipResult flip_ldr(const Image& reference, const Image& test, const Image& mask, double pixels_per_degree) {
+    check_pair(reference, test, mask);
+    const auto decode = [](float value) { return srgb_decode(std::min(finite(value), 1.0f)); };
+    const Image map = error_map(mapped(reference, decode), mapped(joined(test, reference, mask), decode),
+                                pixels_per_degree);
+    return pooled(map, mask);
+}
+
+HdrExposures flip_exposures(const Image& reference, const Image& mask) {
     std::vector<float> values;
     for (int y = 0; y < reference.height; ++y)
-        for (int x = 0; x < reference.width; ++x) values.push_back(finite(luminance(reference.rgb(x, y))));
+        for (int x = 0; x < reference.width; ++x)
+            if (mask.empty() || *mask.at(x, y) > 0.0f)
+                values.push_back(finite(luminance(reference.rgb(x, y))));
     const float brightest = values.empty() ? 0.0f : *std::max_element(values.begin(), values.end());
     if (brightest == 0.0f) return {0.0, 0.0, 2};
 
@@ -326,20 +353,21 @@ HdrExposures flip_exposures(const Image& reference) {
     return {start, stop, std::max(2, int(std::ceil(stop - start)))};
 }
 
-FlipResult flip_hdr(const Image& reference, const Image& test, double pixels_per_degree) {
-    check_pair(reference, test);
-    const HdrExposures exposures = flip_exposures(reference);
+FlipResult flip_hdr(const Image& reference, const Image& test, const Image& mask, double pixels_per_degree) {
+    check_pair(reference, test, mask);
+    const HdrExposures exposures = flip_exposures(reference, mask);
+    const Image compared = joined(test, reference, mask);
     Image worst(reference.width, reference.height, 1);
     for (int i = 0; i < exposures.count; ++i) {
         const double stops = exposures.start + (exposures.stop - exposures.start) * i / (exposures.count - 1);
         const auto expose = [scale = float(std::exp2(stops))](float value) {
             return tone_map(finite(value) * scale);
         };
-        const Image map = error_map(mapped(reference, expose), mapped(test, expose), pixels_per_degree);
+        const Image map = error_map(mapped(reference, expose), mapped(compared, expose), pixels_per_degree);
         std::transform(map.data.begin(), map.data.end(), worst.data.begin(), worst.data.begin(),
                        [](float a, float b) { return std::max(a, b); });
     }
-    return pooled(std::move(worst));
+    return pooled(std::move(worst), mask);
 }
 
 } // namespace luxel

@@ -39,6 +39,31 @@ Image pattern(int width, int height, float phase) {
     return image;
 }
 
+TEST(Flip, DoesNotSeeWhatIsMaskedOut) {
+    Image reference(48, 48, 3, 0.5f), image = reference, mask(48, 48, 1, 1.0f);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 24; x < 48; ++x) {
+            *mask.at(x, y) = 0.0f;
+            // A sun in the background must not choose the exposures.
+            reference.set_rgb(x, y, glm::vec3(1000.0f)), image.set_rgb(x, y, glm::vec3(float(y) / 48.0f));
+        }
+    EXPECT_GT(flip_ldr(display(reference, 1.0f), display(image, 1.0f)).mean, 0.1);
+    EXPECT_EQ(flip_ldr(display(reference, 1.0f), display(image, 1.0f), mask).max, 0.0);
+    EXPECT_EQ(flip_hdr(reference, image, mask).max, 0.0);
+    EXPECT_NEAR(flip_exposures(reference, mask).start, flip_exposures(Image(4, 4, 3, 0.5f)).start, 1e-6);
+
+    // The mean is that of the pixels that count.
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 24; ++x) image.set_rgb(x, y, glm::vec3(0.4f));
+    const FlipResult masked = flip_ldr(display(reference, 1.0f), display(image, 1.0f), mask);
+    EXPECT_GT(masked.mean, 0.05);
+    EXPECT_EQ(*masked.map.at(30, 5), 0.0f);
+    double left = 0.0;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 24; ++x) left += double(*masked.map.at(x, y));
+    EXPECT_NEAR(masked.mean, left / (24 * 48), 1e-6);
+}
+
 } // namespace
 
 TEST(Flip, LdrEqualsThePublishedEvaluator) {

@@ -64,20 +64,23 @@ Window gaussian_window() {
     return window;
 }
 
-// Weighted means of a, b, a^2, b^2 and ab, the luminances of two images.
-using Moments = std::array<double, 5>;
+// Weighted sums of 1, a, b, a^2, b^2 and ab over the pixels that count; a and b are the luminances of two
+// images.
+using Moments = std::array<double, 6>;
 
 // Along rows, for every whole window of a row.
-std::vector<Moments> row_moments(const Image& reference, const Image& image, const Window& window) {
+std::vector<Moments> row_moments(const Image& reference, const Image& image, const Image& mask,
+                                 const Window& window) {
     const int inner_width = reference.width - 2 * window_radius;
     std::vector<Moments> rows(std::size_t(inner_width) * std::size_t(reference.height));
     parallel_for(std::size_t(reference.height), 8, [&](std::size_t y) {
         for (int x = 0; x < inner_width; ++x) {
             Moments& sum = rows[y * std::size_t(inner_width) + std::size_t(x)];
             for (std::size_t k = 0; k < window.size(); ++k) {
+                if (!counts(mask, x + int(k), int(y))) continue;
                 const double a = luminance(reference.rgb(x + int(k), int(y)));
                 const double b = luminance(image.rgb(x + int(k), int(y)));
-                const Moments moments = {a, b, a * a, b * b, a * b};
+                const Moments moments = {1.0, a, b, a * a, b * b, a * b};
                 for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += window[k] * moments[m];
             }
         }
@@ -87,7 +90,9 @@ std::vector<Moments> row_moments(const Image& reference, const Image& image, con
 
 double similarity_of(const Moments& moments) {
     constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03; // (K L)^2 with L = 1
-    const auto [a, b, aa, bb, ab] = moments;
+    const auto [weight, sum_a, sum_b, sum_aa, sum_bb, sum_ab] = moments;
+    const double a = sum_a / weight, b = sum_b / weight;
+    const double aa = sum_aa / weight, bb = sum_bb / weight, ab = sum_ab / weight;
     const double covariance = ab - a * b, variances = aa - a * a + bb - b * b;
     return (2.0 * a * b + c1) * (2.0 * covariance + c2) / ((a * a + b * b + c1) * (variances + c2));
 }
@@ -138,9 +143,9 @@ double ssim(const Image& reference, const Image& image, const Image& mask) {
     const int inner_width = width - 2 * window_radius, inner_height = height - 2 * window_radius;
     if (inner_width < 1 || inner_height < 1) return std::numeric_limits<double>::quiet_NaN();
     const Window window = gaussian_window();
-    const std::vector<Moments> rows = row_moments(reference, image, window);
+    const std::vector<Moments> rows = row_moments(reference, image, mask, window);
 
-    // [Wang2004, eq. 13] at every whole window; its center decides whether it counts.
+    // [Wang2004, eq. 13] at every whole window whose center counts, over the pixels in it that count.
     Image similarity(width, height, 1), inside(width, height, 1);
     parallel_for(std::size_t(inner_height), 8, [&](std::size_t y) {
         for (int x = 0; x < inner_width; ++x) {
@@ -149,8 +154,9 @@ double ssim(const Image& reference, const Image& image, const Image& mask) {
                 for (std::size_t m = 0; m < sum.size(); ++m)
                     sum[m] += window[k] * rows[(y + k) * std::size_t(inner_width) + std::size_t(x)][m];
             const int center_x = x + window_radius, center_y = int(y) + window_radius;
+            if (!counts(mask, center_x, center_y)) continue;
             *similarity.at(center_x, center_y) = float(similarity_of(sum));
-            *inside.at(center_x, center_y) = counts(mask, center_x, center_y) ? 1.0f : 0.0f;
+            *inside.at(center_x, center_y) = 1.0f;
         }
     });
     return mean(similarity, inside, [&](int x, int y) { return double(*similarity.at(x, y)); });

@@ -95,14 +95,27 @@ TEST(Metrics, SsimClosedForms) {
     EXPECT_TRUE(std::isnan(ssim(constant(glm::vec3(0), 10, 32), constant(glm::vec3(0), 10, 32), {})));
 }
 
-TEST(Metrics, SsimCountsWindowsCenteredInTheMask) {
-    const Image reference = constant(glm::vec3(0.5f), 48, 32);
-    Image image = reference;
+// Whatever lies outside of the mask has no say, at its rim neither.
+TEST(Metrics, SsimDoesNotSeeWhatIsMaskedOut) {
+    const Image reference = checkerboard(0.25f, 0.75f, 48), weak = checkerboard(0.4f, 0.6f, 48);
+    Image image = weak, other = weak;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 30; x < 48; ++x)
+            image.set_rgb(x, y, glm::vec3(float(x % 3))), other.set_rgb(x, y, reference.rgb(x, y));
+    const Image mask = left_of(30, 48, 48);
+    EXPECT_LT(ssim(reference, image, {}), 0.9 * ssim(reference, weak, {}));
+    EXPECT_EQ(ssim(reference, image, mask), ssim(reference, other, mask));
+    // A board's window at the mask's rim holds both colors in nearly equal parts, so that its term is the
+    // board's.
+    EXPECT_NEAR(ssim(reference, image, mask), ssim(reference, weak, {}), 2e-3);
+
+    const Image gray = constant(glm::vec3(0.5f), 48, 32);
+    Image corner = gray;
     for (int y = 0; y < 32; ++y)
-        for (int x = 40; x < 48; ++x) image.set_rgb(x, y, glm::vec3(0.0f));
-    EXPECT_LT(ssim(reference, image, {}), 0.99);
-    EXPECT_LT(ssim(reference, image, left_of(36, 48, 32)), 0.9999); // windows at 35 reach column 40
-    EXPECT_NEAR(ssim(reference, image, left_of(35, 48, 32)), 1.0, 1e-6);
+        for (int x = 40; x < 48; ++x) corner.set_rgb(x, y, glm::vec3(0.0f));
+    EXPECT_LT(ssim(gray, corner, {}), 0.99);
+    EXPECT_LT(ssim(gray, corner, left_of(41, 48, 32)), 0.9999);
+    EXPECT_NEAR(ssim(gray, corner, left_of(40, 48, 32)), 1.0, 1e-6);
 }
 
 TEST(Metrics, QualityAndGain) {

@@ -15,13 +15,6 @@ namespace luxel {
 
 namespace {
 
-double mean_inside(const Image& map, const Image& mask) {
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < mask.data.size(); ++i)
-        if (mask.data[i] > 0) sum += map.data[i], ++count;
-    return count > 0 ? sum / count : 0.0;
-}
-
 Image average(const Image& a, const Image& b) {
     Image mean = a;
     for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] = 0.5f * (a.data[i] + b.data[i]);
@@ -29,16 +22,6 @@ Image average(const Image& a, const Image& b) {
 }
 
 } // namespace
-
-Image fill_outside(Image image, const Image& background, const Image& mask) {
-    LUXEL_ASSERT(image.data.size() == background.data.size() && image.pixels() == mask.pixels(), "{}x{}",
-                 image.width, image.height);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            if (mask.at(x, y)[0] <= 0)
-                for (int c = 0; c < image.channels; ++c) image.at(x, y)[c] = background.at(x, y)[c];
-    return image;
-}
 
 Image shown_of(const Image& image, float exposure) {
     if (image.channels > 1) return display(image, exposure);
@@ -96,9 +79,7 @@ Figures measure(const Target& target, const Candidate& baseline, const Candidate
     f.psnr =
         best.shown_mse > 0.0 ? -10.0 * std::log10(best.shown_mse) : std::numeric_limits<double>::infinity();
     f.ssim = ssim(target.shown, shown, target.mask);
-    // FLIP filters over neighbors: outside, both images are made the same.
-    f.flip =
-        mean_inside(flip_ldr(target.shown, fill_outside(shown, target.shown, target.mask)).map, target.mask);
+    f.flip = flip_ldr(target.shown, shown, target.mask).mean;
     return f;
 }
 

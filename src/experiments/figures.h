@@ -52,9 +52,6 @@ Image shown_of(const Image& image, float exposure);
 // A gain is claimed where the truth's noise explains it with less than 2.5 % probability.
 inline bool is_claimed(const Figures& figures) { return figures.gain > 1.96 * figures.gain_error; }
 
-// The image with its masked-out pixels taken from `background`.
-Image fill_outside(Image image, const Image& background, const Image& mask);
-
 Figures mean_of(const std::vector<Figures>& figures);
 
 } // namespace luxel
