@@ -79,7 +79,7 @@ void run(Options options, const Global& global) {
                                    {"view", request.camera.name},
                                    {"size", {size.width, size.height}},
                                    {"spp", estimate.spp},
-                                   {"relative_error", relative_error(estimate)},
+                                   {"relative_error", relative_error(estimate) ? relative_error(estimate)->value : 0.0},
                                    {"output", options.output}};
     const auto errors = errors_of_photons(estimate);
     for (const auto& [name, e] : errors) json[name] = {{"noise", e.noise}, {"bias", e.bias}};

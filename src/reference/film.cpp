@@ -67,7 +67,7 @@ Estimate Film::estimate(int spp) const {
             const double* at = &sums_[i / channels * stride_ + offset_[c] + i % channels * sums_per_channel];
             double sum = 0.0;
             for (int g = 0; g < sample_groups; ++g) {
-                const int samples = (spp + sample_groups - 1 - g) / sample_groups;
+                const int samples = group_samples(spp, g);
                 e.group[std::size_t(g)][components_[c]].data[i] = float(at[g] / std::max(samples, 1));
                 sum += at[g];
             }

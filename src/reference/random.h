@@ -9,6 +9,8 @@
 namespace luxel {
 
 inline constexpr int sample_groups = 4;
+// How many of `spp` samples are in a group.
+constexpr int group_samples(int spp, int group) { return (spp + sample_groups - 1 - group) / sample_groups; }
 
 class Random {
 public:

@@ -15,6 +15,7 @@
 #include "reference/content_key.h"
 #include "reference/film.h"
 #include "reference/path_tracer.h"
+#include "reference/stopping.h"
 
 namespace luxel {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int tile_side = 16;
-constexpr int pass_samples = 32;          // the error target is looked at so often: independent of the clock
+constexpr int pass_samples = 32;          // between looks at the clock for a checkpoint
 constexpr double checkpoint_seconds = 30; // at most so much work is lost
 constexpr int photons_at_once = 1 << 21;  // traced before the samples that look at them
 constexpr int passes_at_once = 8;
@@ -51,6 +52,10 @@ void check(const ReferenceRequest& request) {
         !contains(request.components, "specular"))
         fail(Fault::usage,
              "reference: photon_bias is of the photons in full and specular; ask for one of them, too");
+    for (const std::string& name : request.error_of)
+        if (!contains(request.components, name))
+            fail(Fault::usage,
+                 "reference: the error is to be that of \"{}\", which is no component asked for", name);
     if (request.settings.spp < 1) fail(Fault::usage, "reference: spp is {}, below 1", request.settings.spp);
 }
 
@@ -138,10 +143,19 @@ void add_paths(const PathTracer& tracer, const std::optional<PhotonTracer>& phot
     }
 }
 
-// Samples of the next pass: whole blocks between looks at the error; single samples where the clock decides.
+// Samples of the next pass: up to the next look at the error; single samples where the clock decides.
 int next_pass(const ReferenceSettings& settings, int spp) {
-    int block = settings.seconds > 0.0f ? 1 : pass_samples - spp % pass_samples;
-    return std::min(block, settings.spp - spp);
+    if (settings.seconds > 0.0f) return 1;
+    const int block = pass_samples - spp % pass_samples;
+    const int to_look = settings.error > 0.0f ? next_look(spp) - spp : block;
+    return std::min({block, to_look, settings.spp - spp});
+}
+
+// Whether the error is below its target for all that is known of it.
+bool is_enough(const ReferenceRequest& request, const Film& film, int spp) {
+    if (!(request.settings.error > 0.0f) || !is_look(spp)) return false;
+    const auto error = relative_error(film.estimate(spp), request.error_of);
+    return error && error->value + error->uncertainty < double(request.settings.error);
 }
 
 } // namespace
@@ -163,25 +177,6 @@ void ReferenceSettings::visit(Visitor& v) {
              "lights that reach full and specular as photons through mirrors and glass");
     v.integer("photons", photons, {1, 1 << 28}, "photons of a pass, which is a sample of every pixel");
     v.real("photon_radius", photon_radius, {1e-3, 1e3}, "radius of the photons in the first pass, pixels");
-}
-
-double relative_error(const Estimate& estimate) {
-    if (estimate.mean.empty()) return 0.0;
-    auto full = estimate.mean.find("full");
-    const std::string& name = full != estimate.mean.end() ? full->first : estimate.mean.begin()->first;
-    const Image &mean = estimate.mean.at(name), &variance = estimate.variance.at(name);
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (int y = 0; y < mean.height; ++y)
-        for (int x = 0; x < mean.width; ++x) {
-            // Channels of one path rise and fall together, so their standard errors add.
-            glm::vec3 v = variance.rgb(x, y);
-            double level = luminance(mean.rgb(x, y));
-            if (level <= 0.0) continue;
-            sum += luminance(glm::sqrt(v)) / level;
-            ++count;
-        }
-    return count > 0 ? sum / double(count) : 0.0;
 }
 
 Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int height) {
@@ -251,7 +246,7 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
     };
 
     // Every pixel adds its samples in order, whichever thread it meets: the sums do not depend on scheduling.
-    while (spp < settings.spp) {
+    while (spp < settings.spp && !is_enough(request, film, spp)) {
         const int count = next_pass(settings, spp);
         if (by_photons.size() < request.components.size())
             add_paths(tracer, photons, request, spp, count, film);
@@ -260,7 +255,6 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
         progress.update(double(spp) / settings.spp);
         if (seconds_since(last_save) > checkpoint_seconds) save();
         if (settings.seconds > 0.0f && seconds_since(start) >= settings.seconds) break;
-        if (settings.error > 0.0f && relative_error(film.estimate(spp)) < settings.error) break;
     }
     save();
     progress.finish();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,7 @@ inline const std::vector<std::string> photon_lights_names = {"punctual", "all", 
 struct ReferenceSettings {
     int spp = 64;         // upper bound
     float seconds = 0.0f; // stop after this time when > 0 (at a whole pass)
-    float error = 0.0f;   // stop when the mean relative standard error of `full` is below, when > 0
+    float error = 0.0f;   // stop when the relative error (RelativeError) is below, when > 0
     int max_bounces = 64; // path vertices after the first; Russian roulette starts at 4
     int seed = 1;
     bool pixel_center =
@@ -90,9 +91,17 @@ struct Estimate {
     std::vector<std::string> warnings; // one sentence each
 };
 
-// Mean over the pixels that are not black of standard error over mean, in luminance, of `full`, or of the
-// first component where full is absent.
-double relative_error(const Estimate& estimate);
+// Mean over the pixels that are not black of standard error over mean, in luminance, from the scatter of the
+// groups.
+struct RelativeError {
+    double value = 0, uncertainty = 0; // its own standard error: groups are few, and so may be pixels
+};
+// Below so many samples the groups say nothing about each other.
+inline constexpr int samples_for_error = 16;
+// Of the sum of `components`; empty: of `full`, or of the first component where full is absent. Nothing below
+// samples_for_error.
+std::optional<RelativeError> relative_error(const Estimate& estimate,
+                                            const std::vector<std::string>& components = {});
 
 // How far `component` (caustics, full or specular) is off, as root mean squares over the pixels, in
 // luminance, relative to that of the image itself: by noise, and by the radius of the photons (0 where paths
@@ -104,6 +113,7 @@ PhotonError photon_error(const Estimate& estimate, const std::string& component 
 
 struct ReferenceRequest {
     std::vector<std::string> components; // of component_names
+    std::vector<std::string> error_of;   // the sum that settings.error is about; empty: see relative_error
     int width = 0, height = 0;
     Camera camera;
     ReferenceSettings settings;
