@@ -73,6 +73,11 @@ int run(int argc, char** argv) {
                    "Folder of what scene files and experiments call data:...; default: $LUXEL_DATA")
         ->envname("LUXEL_DATA");
 
+    app.add_option_function<std::string>(
+           "--brdf", [&](const std::string& model) { global.single_scattering = model == "single"; },
+           "How rough lobes keep their energy: 'multiple' scattering between facets, or 'single' as before")
+        ->check(CLI::IsMember({"multiple", "single"}));
+
     // The limit lives as long as the work does.
     std::optional<tbb::global_control> limit;
     app.add_option("--threads", global.threads, "CPU threads; 0 = all")->check(CLI::Range(0, 1024));

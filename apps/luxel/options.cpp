@@ -69,7 +69,8 @@ LoadOptions load_options(const Global& global) {
     return {.strict = global.strict,
             .environment = global.environment,
             .environment_scale = global.environment_scale,
-            .data = global.data};
+            .data = global.data,
+            .brdf = global.single_scattering ? BrdfModel::single : BrdfModel::multiple};
 }
 
 Scene load(const std::string& source, const Global& global) {

@@ -49,11 +49,17 @@ BsdfValue evaluate_bsdf(const ShadingPoint& p, glm::vec3 wi) {
     value.pdf = p.diffuse_chance * (cos_i / shared::PI);
     if (p.mirror || p.specular_chance <= 0.0f) return value;
 
-    glm::vec3 h = glm::normalize(wi + p.wo);
-    float d = shared::ggx_d(p.normal, h, b.alpha);
-    glm::vec3 fresnel = shared::fresnel_schlick(b.f0, b.f90, glm::dot(p.wo, h));
-    value.specular = fresnel * (d * shared::ggx_v(cos_i, cos_o, b.alpha) * cos_i);
-    value.pdf += p.specular_chance * shared::ggx_reflection_pdf(d, cos_o, b.alpha);
+    // Where the lobe sends light below the geometric horizon, it is mirrored there: two directions lead to
+    // wi.
+    for (const glm::vec3& w : {wi, shared::mirrored_at_horizon(wi, p.geometric_normal)}) {
+        const float cosine = glm::dot(p.normal, w);
+        if (cosine <= 0.0f) continue;
+        const glm::vec3 h = glm::normalize(w + p.wo);
+        const float d = shared::ggx_d(p.normal, h, b.alpha);
+        const glm::vec3 fresnel = shared::fresnel_schlick(b.f0, b.f90, glm::dot(p.wo, h));
+        value.specular += fresnel * (d * shared::ggx_v(cosine, cos_o, b.alpha) * cosine);
+        value.pdf += p.specular_chance * shared::ggx_reflection_pdf(d, cos_o, b.alpha);
+    }
     return value;
 }
 
@@ -66,6 +72,8 @@ BsdfSample sample_smooth(const ShadingPoint& p, bool specular, glm::vec2 u) {
     if (specular) {
         glm::vec3 h = frame * shared::sample_visible_normal(p.wo * frame, p.surface->brdf.alpha, u);
         sample.wi = glm::normalize(glm::reflect(-p.wo, h));
+        if (glm::dot(sample.wi, p.normal) <= 0.0f) return sample;
+        sample.wi = shared::above_horizon(sample.wi, p.geometric_normal);
     } else {
         sample.wi = frame * shared::sample_cosine_hemisphere(u);
     }
@@ -80,8 +88,7 @@ BsdfSample sample_smooth(const ShadingPoint& p, bool specular, glm::vec2 u) {
 BsdfSample sample_mirror(const ShadingPoint& p) {
     BsdfSample sample;
     sample.ideal = true;
-    sample.wi = glm::reflect(-p.wo, p.normal);
-    if (glm::dot(sample.wi, p.geometric_normal) <= 0.0f) return sample;
+    sample.wi = shared::above_horizon(glm::reflect(-p.wo, p.normal), p.geometric_normal);
     const shared::Brdf& b = p.surface->brdf;
     sample.weight = shared::fresnel_schlick(b.f0, b.f90, glm::dot(p.normal, p.wo)) / p.specular_chance;
     return sample;
@@ -100,12 +107,12 @@ BsdfSample sample_glass(const ShadingPoint& p, float u) {
     BsdfSample sample;
     sample.ideal = true;
     if (u < chance) {
-        sample.wi = glm::reflect(-p.wo, p.normal);
-        if (glm::dot(sample.wi, p.geometric_normal) > 0.0f) sample.weight = reflected * (share / chance);
+        sample.wi = shared::above_horizon(glm::reflect(-p.wo, p.normal), p.geometric_normal);
+        sample.weight = reflected * (share / chance);
         return sample;
     }
     sample.wi = thin ? -p.wo : glm::refract(-p.wo, p.normal, 1.0f / eta);
-    if (glm::dot(sample.wi, p.geometric_normal) >= 0.0f) return sample;
+    sample.wi = shared::above_horizon(sample.wi, -p.geometric_normal);
     float compression = thin ? 1.0f : 1.0f / (eta * eta);
     sample.weight = s.base_color * (glm::vec3(1.0f) - reflected) * (compression * share / (1.0f - chance));
     return sample;

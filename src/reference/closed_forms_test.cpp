@@ -154,9 +154,9 @@ TEST(ClosedForms, RoughMetalShowsItsDirectionalAlbedo) {
         glm::vec3 eye(2, 1.2f, 0), n(0, 0, 1);
         Estimate e = render(scene, request_for({"direct"}, camera_on(eye, {0, 0, 0}), 16, 256));
 
-        shared::Brdf b =
-            shared::make_brdf(glm::vec3(0.9f, 0.6f, 0.3f), 1.0f, roughness, 1.5f, 1.0f, glm::vec3(1));
         float cos_o = glm::normalize(eye).y;
+        shared::Brdf b = shared::make_brdf_toward(cos_o, glm::vec3(0.9f, 0.6f, 0.3f), 1.0f, roughness, 1.5f,
+                                                  1.0f, glm::vec3(1));
         glm::vec3 wo(std::sqrt(1.0f - cos_o * cos_o), 0.0f, cos_o);
         double expected = 0.0;
         const shared::uint count = 1u << 16;

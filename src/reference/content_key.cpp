@@ -9,7 +9,7 @@ namespace luxel {
 namespace {
 
 // Raise with every change that alters images.
-constexpr std::uint32_t tracer_version = 3;
+constexpr std::uint32_t tracer_version = 4;
 
 template <int N> void add(ContentKey& key, const glm::vec<N, float>& v) { key.add_bytes(&v, sizeof v); }
 
@@ -72,6 +72,7 @@ void ContentKey::add_bytes(const void* data, std::size_t size) {
 std::uint64_t content_key(const Scene& scene) {
     ContentKey key;
     key.add(tracer_version);
+    key.add(int(scene.brdf));
     for (std::size_t count : {scene.textures.size(), scene.materials.size(), scene.meshes.size(),
                               scene.instances.size(), scene.lights.size()})
         key.add(std::uint64_t(count));

@@ -78,6 +78,7 @@ Scene load_geometry(const std::string& source, const LoadOptions& options) {
 Scene load_scene(const std::string& source, const LoadOptions& options) {
     const bool wrapped = !source.starts_with(builtin_prefix) && lower_case_extension(source) == ".toml";
     Scene scene = wrapped ? load_scene_file(source, options) : load_geometry(source, options);
+    scene.brdf = options.brdf;
     replace_environment(scene, options);
     validate_scene(scene, source);
     add_defaults(scene, source);

@@ -17,6 +17,7 @@ struct LoadOptions {
     float environment_scale = 1.0f; // factor on that environment
     // The folder of what scene files name as "data:PATH"; empty = none.
     std::string data;
+    BrdfModel brdf = BrdfModel::multiple;
 };
 
 // Validated: every index in range, every number finite, at least one triangle, at least one camera and at

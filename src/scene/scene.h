@@ -33,7 +33,7 @@ struct TextureUse {
     glm::mat3 transform{1.0f};
 };
 
-enum class AlphaMode { opaque, mask, blend }; // blend is treated as mask at .5, with a warning
+enum class AlphaMode { opaque, mask, blend }; // blend: alpha is the share of the light that meets the surface
 
 struct Material {
     std::string name;
@@ -58,7 +58,8 @@ struct Material {
         false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
     TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
         specular_texture, specular_color_texture, transmission_texture, clearcoat_texture,
-        clearcoat_roughness_texture;
+        clearcoat_roughness_texture, clearcoat_normal_texture;
+    float clearcoat_normal_scale = 1.0f;
     // Relief behind the surface: texels of 1 lie on it, those of 0 height_scale meters behind (world, along
     // the normal). Red channel, repeating. See scene/height_field.h.
     TextureUse height_texture;
@@ -127,8 +128,13 @@ struct Bounds {
     float radius() const { return empty() ? 0.0f : glm::length(most - least) * 0.5f; }
 };
 
+// How lobes keep their energy: with all that facets pass on to each other, or by single scattering, with a
+// diffuse albedo that is the same from everywhere (shared/brdf.h).
+enum class BrdfModel { multiple, single };
+
 struct Scene {
     std::string name;
+    BrdfModel brdf = BrdfModel::multiple;
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;

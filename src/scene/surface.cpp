@@ -120,9 +120,9 @@ void place(Surface& s, const Corners& corners) {
     s.position = interpolate(corners.triangle().positions, corners.weights * (1.0f - 3.0f * inward) + inward);
 }
 
-// Factors times textures, and the lobes they make.
-void shade(Surface& s, const Mesh& mesh, const Material& material, const MaterialFootprints& textures,
-           const Corners& corners) {
+// Factors times textures.
+void look_up_material(Surface& s, const Mesh& mesh, const Material& material,
+                      const MaterialFootprints& textures, const Corners& corners) {
     s.base_color = glm::vec3(material.base_color);
     if (textures.base_color.texture) s.base_color *= glm::vec3(filter(textures.base_color));
     if (!mesh.colors.empty())
@@ -140,9 +140,19 @@ void shade(Surface& s, const Mesh& mesh, const Material& material, const Materia
     if (textures.specular_color.texture) s.specular_color *= glm::vec3(filter(textures.specular_color));
     s.emission = material.emission;
     if (textures.emission.texture) s.emission *= glm::vec3(filter(textures.emission));
+}
+
+// The lobes that the factors make, toward a viewer; normals are known. Directions below the geometric horizon
+// are left out by whoever samples the diffuse lobe.
+shared::Brdf lobes_of(const Surface& s, BrdfModel model, glm::vec3 to_viewer) {
+    const float ior = s.material->ior;
     shared::Brdf brdf =
-        shared::make_brdf(s.base_color, s.metallic, s.roughness, material.ior, s.specular, s.specular_color);
-    s.brdf = shared::scale_brdf(brdf, 1.0f - s.transmission);
+        model == BrdfModel::single
+            ? shared::make_brdf(s.base_color, s.metallic, s.roughness, ior, s.specular, s.specular_color)
+            : shared::make_brdf_toward(std::abs(glm::dot(s.normal, to_viewer)), s.base_color, s.metallic,
+                                       s.roughness, ior, s.specular, s.specular_color);
+    brdf.diffuse *= shared::horizon_gain(s.normal, s.geometric_normal);
+    return shared::scale_brdf(brdf, 1.0f - s.transmission);
 }
 
 } // namespace
@@ -194,11 +204,16 @@ Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
     place(s, corners);
     s.front = glm::dot(s.geometric_normal, direction) < 0.0f;
 
+    look_up_material(s, mesh, material, textures, corners);
+
     // Bend on the side that the ray sees, then turn back.
-    float side = s.front ? 1.0f : -1.0f;
-    glm::vec3 n = shading_normal(mesh, material, corners, textures.normal, s.geometric_normal);
-    s.normal = shared::facing_normal(n * side, s.geometric_normal * side, -glm::normalize(direction)) * side;
-    shade(s, mesh, material, textures, corners);
+    const float side = s.front ? 1.0f : -1.0f;
+    const glm::vec3 n = shading_normal(mesh, material, corners, textures.normal, s.geometric_normal),
+                    to_viewer = -glm::normalize(direction);
+    s.normal = shared::bent_normal(n * side, s.geometric_normal * side, to_viewer,
+                                   shared::share_without_diffuse(s.metallic, s.transmission)) *
+               side;
+    s.brdf = lobes_of(s, scene.brdf, to_viewer);
     return s;
 }
 

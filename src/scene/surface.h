@@ -12,10 +12,11 @@ struct Surface {
     glm::vec3 position;         // world; on the triangle, a few clearances inside its edges
     float offset;               // meters along the geometric normal that clear all rounding of `position`
     glm::vec3 geometric_normal; // unit, by winding (not flipped)
-    glm::vec3 normal; // unit shading normal incl. normal map; on the ray's side it is shared::facing_normal,
-                      // so it lies in the hemispheres of geometric_normal and of the ray's origin
+    glm::vec3 normal; // unit shading normal incl. normal map; on the ray's side it is shared::bent_normal, so
+                      // it lies in the hemispheres of geometric_normal and of the ray's origin
     const Material* material;
-    shared::Brdf brdf; // scaled by 1 - transmission
+    // Toward the ray's origin, scaled by 1 - transmission; `diffuse` with shared::horizon_gain.
+    shared::Brdf brdf;
     float metallic, roughness;
     float transmission; // share of the surface that is a smooth dielectric, metals excluded
     float specular;     // KHR_materials_specular, textures included

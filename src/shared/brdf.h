@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The surface model: a Lambertian diffuse lobe plus one GGX specular lobe (glTF 2.0 metallic-roughness).
-// The diffuse lobe's albedo does not depend on direction, so that every technique agrees on what "diffuse"
-// is: glTF's (1 - F(v.h)) factor is replaced by its cosine-weighted hemispherical mean, 1 - (f0 + (f90 -
-// f0)/21).
+// The surface model: a Lambertian diffuse lobe plus one GGX specular lobe (glTF 2.0 metallic-roughness), as
+// they are seen from one direction. Light that a facet passes on to another one comes back by a larger
+// reflectance, and the diffuse lobe has what the specular lobe leaves of light toward the viewer: nothing is
+// lost or gained from any direction. Both factors depend on the view alone, so that the diffuse lobe stays
+// Lambertian: what it shows is its albedo times irradiance / pi, whatever the directions of the light.
 #ifndef LUXEL_SHARED_BRDF_H
 #define LUXEL_SHARED_BRDF_H
+#include "shared/directional_albedo.h"
 #include "shared/glsl.h"
+#include "shared/horizon.h"
 LUXEL_BEGIN
 
 struct Brdf {
@@ -20,6 +23,8 @@ struct Brdf {
 LUXEL_CONST float MIRROR_ROUGHNESS = 0.02f;
 LUXEL_CONST float MIN_ALPHA = 0.0004f;
 
+// The older model: facets scatter once, and the diffuse lobe has the hemispherical mean of what the specular
+// lobe leaves, 1 - (f0 + (f90 - f0) / 21), from wherever it is seen.
 // glTF 2.0 parameters to lobes. base_color linear sRGB [0, 1]; metallic, roughness [0, 1]; ior >= 1;
 // specular and specular_color as KHR_materials_specular.
 LUXEL_FN Brdf make_brdf(vec3 base_color, float metallic, float roughness, float ior, float specular,
@@ -41,24 +46,48 @@ LUXEL_FN vec3 fresnel_schlick(vec3 f0, vec3 f90, float cos_theta) {
     return f0 + (f90 - f0) * (m2 * m2 * m);
 }
 
+// What a lobe of reflectances f0 and f90 reflects toward cos_o of light that is the same from everywhere.
+LUXEL_FN vec3 reflectance_of(vec3 f0, float f90, DirectionalAlbedo a) {
+    return f0 * (a.whole - a.grazing) + vec3(f90 * a.grazing);
+}
+
+// The lobes toward cos_o to the normal, with no light lost between facets: reflectances times 1 + F (1 - E) /
+// E, E being the lobe's directional albedo where all facets reflect everything [Turquin2019, eq. 16]. For
+// f90, one number, F is the luminance of f0.
+LUXEL_FN Brdf make_brdf_toward(float cos_o, vec3 base_color, float metallic, float roughness, float ior,
+                               float specular, vec3 specular_color) {
+    const vec3 luminance = vec3(0.2126f, 0.7152f, 0.0722f);
+    float r = (ior - 1.0f) / (ior + 1.0f);
+    vec3 f0 = min(vec3(r * r) * specular_color, vec3(1.0f)) * specular;
+    Brdf b;
+    b.alpha = max(roughness * roughness, MIN_ALPHA);
+    DirectionalAlbedo a = ggx_directional_albedo(cos_o, b.alpha);
+    float again = (1.0f - a.whole) / a.whole;
+    vec3 dielectric_f0 = f0 * (vec3(1.0f) + f0 * again);
+    float dielectric_f90 = specular * (1.0f + dot(f0, luminance) * again);
+    vec3 metal_f0 = base_color * (vec3(1.0f) + base_color * again);
+    float metal_f90 = 1.0f + dot(base_color, luminance) * again;
+    b.f0 = mix(dielectric_f0, metal_f0, metallic);
+    b.f90 = vec3(mix(dielectric_f90, metal_f90, metallic));
+    vec3 left = max(vec3(1.0f) - reflectance_of(dielectric_f0, dielectric_f90, a), vec3(0.0f));
+    b.diffuse = base_color * (1.0f - metallic) * left;
+    return b;
+}
+
+// Between the older model (0) and this one (1).
+LUXEL_FN Brdf mix_brdf(Brdf x, Brdf y, float share) {
+    x.diffuse = mix(x.diffuse, y.diffuse, share);
+    x.f0 = mix(x.f0, y.f0, share);
+    x.f90 = mix(x.f90, y.f90, share);
+    return x;
+}
+
 // The same surface, a share of it only: every lobe times `share`.
 LUXEL_FN Brdf scale_brdf(Brdf b, float share) {
     b.diffuse = b.diffuse * share;
     b.f0 = b.f0 * share;
     b.f90 = b.f90 * share;
     return b;
-}
-
-// A shading normal that interpolation or a normal map turned away is bent back, so that it lies in the
-// hemispheres of the geometric normal ng and of the direction to the viewer wo (both on one side: dot(ng, wo)
-// >= 0).
-LUXEL_CONST float LEAST_FACING_COSINE = 0.01f;
-LUXEL_FN vec3 facing_normal(vec3 n, vec3 ng, vec3 wo) {
-    float c = dot(n, ng);
-    if (c < LEAST_FACING_COSINE) n = normalize(n + ng * (LEAST_FACING_COSINE - c));
-    c = dot(n, wo);
-    if (c < LEAST_FACING_COSINE) n = normalize(n + wo * (LEAST_FACING_COSINE - c));
-    return n;
 }
 
 // GGX normal distribution [Walter2007, eq. 33]. The sine comes from the cross product: 1 - cos^2 would have
@@ -121,6 +150,14 @@ LUXEL_FN vec3 evaluate_specular(Brdf b, vec3 n, vec3 wo, vec3 wi) {
     vec3 h = normalize(wi + wo);
     float d = ggx_d(n, h, b.alpha);
     return fresnel_schlick(b.f0, b.f90, dot(wo, h)) * (d * ggx_v(cos_i, cos_o, b.alpha));
+}
+
+// Specular lobe times the cosine of wi, 1/sr, for wi above the geometric surface: with the light that the
+// lobe would send below it.
+LUXEL_FN vec3 reflect_specular(Brdf b, vec3 n, vec3 ng, vec3 wo, vec3 wi) {
+    vec3 below = mirrored_at_horizon(wi, ng);
+    return evaluate_specular(b, n, wo, wi) * max(dot(n, wi), 0.0f) +
+           evaluate_specular(b, n, wo, below) * max(dot(n, below), 0.0f);
 }
 
 // Both lobes, 1/sr, without the cosine. Zero below the horizon.

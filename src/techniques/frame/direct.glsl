@@ -80,7 +80,8 @@ void main() {
     vec3 wo = p.view.parallel > 0.5 ? -p.view.forward : normalize(p.view.position - position);
     vec4 d = texelFetch(diffuse, pixel, 0), s = texelFetch(specular, pixel, 0);
     Brdf brdf = Brdf(d.rgb, s.rgb, vec3(s.a), max(d.a * d.a, MIN_ALPHA));
-    bool mirror = d.a <= 0.0; // no light sample meets an ideal lobe
+    brdf.diffuse *= horizon_gain(n, ng); // light below the geometric horizon is left out
+    bool mirror = d.a <= 0.0;            // no light sample meets an ideal lobe
 
     vec3 sum_diffuse = vec3(0), sum_specular = vec3(0);
     for (int i = 0; i < p.light_count; ++i) {
@@ -88,10 +89,10 @@ void main() {
         LightSample light = sample_light(l.light, position);
         float cos_theta = dot(n, light.wi);
         if (cos_theta <= 0.0 || dot(ng, light.wi) <= 0.0 || light.irradiance == vec3(0)) continue;
-        vec3 e = light.irradiance * (cos_theta * visibility(l, position, ng, cos_theta));
+        vec3 e = light.irradiance * visibility(l, position, ng, cos_theta);
         if (e == vec3(0)) continue;
-        sum_diffuse += e * brdf.diffuse / PI;
-        if (!mirror) sum_specular += e * evaluate_specular(brdf, n, wo, light.wi);
+        sum_diffuse += e * brdf.diffuse * (cos_theta / PI);
+        if (!mirror) sum_specular += e * reflect_specular(brdf, n, ng, wo, light.wi);
     }
     imageStore(direct, pixel, imageLoad(direct, pixel) + vec4(sum_diffuse + sum_specular, 0));
     imageStore(direct_diffuse, pixel, imageLoad(direct_diffuse, pixel) + vec4(sum_diffuse, 0));

@@ -21,8 +21,8 @@ struct GBuffer {
     gpu::Image diffuse;  // RGBA16F: Brdf::diffuse (albedo of the Lambertian lobe), a = perceptual roughness,
                          // 0 exactly for an ideal mirror, whose specular lobe direct light leaves out
     gpu::Image specular; // RGBA16F: Brdf::f0, a = f90
-    gpu::Image
-        normal; // RGBA16F: world shading normal facing the camera's side, a = 1 where there is a surface
+    gpu::Image normal;   // RGBA16F: world shading normal facing the camera's side, a = its coverage: 1 where
+                         // there is a surface, less where it is alpha-blended (CaptureRequest::blended)
     gpu::Image geometric_normal; // RGBA16F: world normal of the triangle, toward the camera; a = 1 where its
                                  // front is seen, -1 where its back is
     gpu::Image depth; // R32F: distance along the view direction ("linear eye z"), meters; 0 = background
@@ -56,6 +56,7 @@ struct CaptureRequest {
     // out, as nothing is behind it.
     bool behind_frame = false;
     Sides sides = Sides::standard;
+    bool blended = false;    // only what covers a part of its pixel; otherwise only what covers all of it
     std::vector<bool> drawn; // by the scene's instances; empty: all. The others still cast shadows.
 };
 
@@ -91,6 +92,8 @@ struct FrameOptions {
     int seed = 1;
     int supersample =
         1; // the frame and all techniques at this many times the width and height, then averaged
+    int blend_layers =
+        8; // nearest alpha-blended surfaces of a pixel that are drawn; farther ones are left out
     bool mipmaps = true; // false: mip 0 only, as the reference looks textures up
     void visit(Visitor& v);
 };

@@ -110,9 +110,6 @@ void main() {
         transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
 #endif
     transmission *= 1.0 - metallic;
-    Brdf whole = make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color);
-    Brdf brdf = scale_brdf(whole, 1.0 - transmission);
-
     // Normals, on the camera's side. A normal map says the relief's shading normals, too.
     vec3 shading = shading_normal(geometric * side) * side, to_eye = -normalize(along);
 #ifdef DISPLACED
@@ -122,7 +119,11 @@ void main() {
         geometric = facing_normal(relief_normal(geometric, relief.gradient, relief.axes, m.height_scale),
                                   geometric, to_eye);
 #endif
-    vec3 n = facing_normal(shading, geometric, to_eye);
+    vec3 n = bent_normal(shading, geometric, to_eye, share_without_diffuse(metallic, transmission));
+
+    Brdf single = make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color);
+    Brdf multiple = make_brdf_toward(dot(n, to_eye), base.rgb, metallic, roughness, m.ior, specular, specular_color);
+    Brdf brdf = scale_brdf(mix_brdf(single, multiple, m.multiple_scattering), 1.0 - transmission);
 
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);

@@ -46,7 +46,8 @@ struct MaterialRecord {
     uint thin; // what passes is not refracted
     TextureRecord base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
         specular_texture, specular_color_texture, transmission_texture, height_texture;
-    float height_scale; // meters
+    float height_scale;        // meters
+    float multiple_scattering; // BrdfModel: 1 = multiple, 0 = single
 };
 
 // The sampler repeats; the other modes are folded into [0, 1] here. Keeping half a texel away from the border
