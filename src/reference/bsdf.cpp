@@ -3,22 +3,27 @@
 
 #include <cmath>
 
+#include "reference/bsdf_glass.h"
 #include "shared/sampling.h"
-#include "shared/thin_sheet.h"
 
 namespace luxel {
 
 ShadingPoint::ShadingPoint(const Surface& s, glm::vec3 direction)
     : surface(&s), wo(-glm::normalize(direction)), normal(s.front ? s.normal : -s.normal),
       geometric_normal(s.front ? s.geometric_normal : -s.geometric_normal),
-      mirror(shared::is_mirror(s.metallic, s.roughness)) {
+      coat_normal(s.front ? s.coat_normal : -s.coat_normal),
+      mirror(shared::is_mirror(s.metallic, s.roughness)), rough_glass(is_rough_glass(s)) {
     // Chances follow what each lobe would reflect of uniform light; glass passes nearly all on.
+    const auto reflected = [&](const shared::Brdf& b, const glm::vec3& n) {
+        return luminance(shared::fresnel_schlick(b.f0, b.f90, glm::dot(n, wo)));
+    };
     diffuse_chance = luminance(s.brdf.diffuse);
-    specular_chance = luminance(shared::fresnel_schlick(s.brdf.f0, s.brdf.f90, glm::dot(normal, wo)));
+    specular_chance = reflected(s.brdf, normal);
     glass_chance = s.transmission;
-    float sum = diffuse_chance + specular_chance + glass_chance;
+    coat_chance = s.has_coat() ? reflected(s.coat, coat_normal) : 0.0f;
+    float sum = diffuse_chance + specular_chance + glass_chance + coat_chance;
     float scale = sum > 0.0f ? 1.0f / sum : 0.0f;
-    diffuse_chance *= scale, specular_chance *= scale, glass_chance *= scale;
+    diffuse_chance *= scale, specular_chance *= scale, glass_chance *= scale, coat_chance *= scale;
 }
 
 glm::vec3 ShadingPoint::origin(glm::vec3 direction) const {
@@ -27,7 +32,7 @@ glm::vec3 ShadingPoint::origin(glm::vec3 direction) const {
 }
 
 Surface lambertian_part(Surface surface) {
-    surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
+    surface.brdf.f0 = surface.brdf.f90 = surface.coat.f0 = surface.coat.f90 = glm::vec3(0.0f);
     surface.transmission = 0.0f;
     return surface;
 }
@@ -35,54 +40,77 @@ Surface lambertian_part(Surface surface) {
 Surface specular_part(Surface surface, float specular_roughness) {
     surface.brdf.diffuse = glm::vec3(0.0f);
     const bool mirror = shared::is_mirror(surface.metallic, surface.roughness);
-    if (!mirror && !has_specular_ggx(surface, specular_roughness))
-        surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
+    const bool rough = !has_specular_ggx(surface, specular_roughness);
+    if (!mirror && rough) surface.brdf.f0 = surface.brdf.f90 = glm::vec3(0.0f);
+    if (rough && is_rough_glass(surface)) surface.transmission = 0.0f;
+    // Which kind of lobe a path took is told by the roughness below the coat alone.
+    if (rough || surface.coat.alpha > specular_roughness * specular_roughness)
+        surface.coat.f0 = surface.coat.f90 = glm::vec3(0.0f);
     return surface;
 }
 
-BsdfValue evaluate_bsdf(const ShadingPoint& p, glm::vec3 wi) {
-    BsdfValue value;
-    float cos_i = glm::dot(p.normal, wi), cos_o = glm::dot(p.normal, p.wo);
-    if (cos_i <= 0.0f || glm::dot(p.geometric_normal, wi) <= 0.0f) return value;
-    const shared::Brdf& b = p.surface->brdf;
-    value.diffuse = b.diffuse * (cos_i / shared::PI);
-    value.pdf = p.diffuse_chance * (cos_i / shared::PI);
-    if (p.mirror || p.specular_chance <= 0.0f) return value;
+namespace {
 
-    // Where the lobe sends light below the geometric horizon, it is mirrored there: two directions lead to
-    // wi.
+// Adds a GGX lobe that is chosen with that chance. Where it sends light below the geometric horizon, it is
+// mirrored there: two directions lead to wi.
+void add_lobe(BsdfValue& value, const ShadingPoint& p, const shared::Brdf& b, const glm::vec3& normal,
+              float chance, const glm::vec3& wi) {
+    const float cos_o = glm::dot(normal, p.wo);
     for (const glm::vec3& w : {wi, shared::mirrored_at_horizon(wi, p.geometric_normal)}) {
-        const float cosine = glm::dot(p.normal, w);
+        const float cosine = glm::dot(normal, w);
         if (cosine <= 0.0f) continue;
         const glm::vec3 h = glm::normalize(w + p.wo);
-        const float d = shared::ggx_d(p.normal, h, b.alpha);
+        const float d = shared::ggx_d(normal, h, b.alpha);
         const glm::vec3 fresnel = shared::fresnel_schlick(b.f0, b.f90, glm::dot(p.wo, h));
         value.specular += fresnel * (d * shared::ggx_v(cosine, cos_o, b.alpha) * cosine);
-        value.pdf += p.specular_chance * shared::ggx_reflection_pdf(d, cos_o, b.alpha);
+        value.pdf += chance * shared::ggx_reflection_pdf(d, cos_o, b.alpha);
     }
+}
+
+} // namespace
+
+BsdfValue evaluate_bsdf(const ShadingPoint& p, glm::vec3 wi) {
+    BsdfValue value;
+    if (p.rough_glass && p.glass_chance > 0.0f) {
+        const GlassValue glass = evaluate_rough_glass(p, wi);
+        value.specular = glass.value, value.pdf = glass.pdf;
+    }
+    if (glm::dot(p.geometric_normal, wi) <= 0.0f) return value;
+    if (p.coat_chance > 0.0f) add_lobe(value, p, p.surface->coat, p.coat_normal, p.coat_chance, wi);
+    const float cos_i = glm::dot(p.normal, wi);
+    if (cos_i <= 0.0f) return value;
+    value.diffuse = p.surface->brdf.diffuse * (cos_i / shared::PI);
+    value.pdf += p.diffuse_chance * (cos_i / shared::PI);
+    if (!p.mirror && p.specular_chance > 0.0f)
+        add_lobe(value, p, p.surface->brdf, p.normal, p.specular_chance, wi);
     return value;
 }
 
 namespace {
 
-// A smooth lobe was chosen: draw from it, weigh with the density of both.
-BsdfSample sample_smooth(const ShadingPoint& p, bool specular, glm::vec2 u) {
-    glm::mat3 frame = shared::frame_around(p.normal);
+// A smooth lobe has drawn that direction: weigh it with the density of all of them.
+BsdfSample weighed(const ShadingPoint& p, glm::vec3 wi) {
     BsdfSample sample;
-    if (specular) {
-        glm::vec3 h = frame * shared::sample_visible_normal(p.wo * frame, p.surface->brdf.alpha, u);
-        sample.wi = glm::normalize(glm::reflect(-p.wo, h));
-        if (glm::dot(sample.wi, p.normal) <= 0.0f) return sample;
-        sample.wi = shared::above_horizon(sample.wi, p.geometric_normal);
-    } else {
-        sample.wi = frame * shared::sample_cosine_hemisphere(u);
-    }
-    BsdfValue value = evaluate_bsdf(p, sample.wi);
+    sample.wi = wi;
+    if (wi == glm::vec3(0.0f)) return sample;
+    const BsdfValue value = evaluate_bsdf(p, wi);
     if (value.pdf <= 0.0f) return sample;
     sample.pdf = value.pdf;
     sample.weight = value.sum() / value.pdf;
     sample.diffuse = value.diffuse / value.pdf;
     return sample;
+}
+
+glm::vec3 sample_diffuse(const ShadingPoint& p, glm::vec2 u) {
+    return shared::frame_around(p.normal) * shared::sample_cosine_hemisphere(u);
+}
+
+// Zero: the facet sends light to another one.
+glm::vec3 sample_lobe(const ShadingPoint& p, const glm::vec3& normal, float alpha, glm::vec2 u) {
+    const glm::mat3 frame = shared::frame_around(normal);
+    const glm::vec3 h = frame * shared::sample_visible_normal(p.wo * frame, alpha, u);
+    const glm::vec3 wi = glm::normalize(glm::reflect(-p.wo, h));
+    return glm::dot(wi, normal) > 0.0f ? shared::above_horizon(wi, p.geometric_normal) : glm::vec3(0.0f);
 }
 
 BsdfSample sample_mirror(const ShadingPoint& p) {
@@ -94,37 +122,19 @@ BsdfSample sample_mirror(const ShadingPoint& p) {
     return sample;
 }
 
-// Reflection and refraction by exact Fresnel; a thin sheet lets light pass unbent. Radiance that enters a
-// denser medium is compressed into a smaller cone: the squared ratio of indices [Walter2007, section 5.2].
-BsdfSample sample_glass(const ShadingPoint& p, float u) {
-    const Surface& s = *p.surface;
-    bool thin = s.material->thin;
-    float eta = thin || s.front ? s.material->ior : 1.0f / s.material->ior; // behind over in front
-    float cos_o = glm::dot(p.normal, p.wo);
-    const glm::vec3 reflected = shared::interface_reflectance(cos_o, eta, s.specular * s.specular_color);
-    float chance = glm::clamp(luminance(reflected), 0.0f, 1.0f);
-    float share = s.transmission / p.glass_chance;
-    BsdfSample sample;
-    sample.ideal = true;
-    if (u < chance) {
-        sample.wi = shared::above_horizon(glm::reflect(-p.wo, p.normal), p.geometric_normal);
-        sample.weight = reflected * (share / chance);
-        return sample;
-    }
-    sample.wi = thin ? -p.wo : glm::refract(-p.wo, p.normal, 1.0f / eta);
-    sample.wi = shared::above_horizon(sample.wi, -p.geometric_normal);
-    float compression = thin ? 1.0f : 1.0f / (eta * eta);
-    sample.weight = s.base_color * (glm::vec3(1.0f) - reflected) * (compression * share / (1.0f - chance));
-    return sample;
-}
-
 BsdfSample sample_radiance(const ShadingPoint& p, Random& random) {
     float u = random.next();
     glm::vec2 v = random.next2();
-    if (u < p.diffuse_chance) return sample_smooth(p, false, v);
-    if (u < p.diffuse_chance + p.specular_chance)
-        return p.mirror ? sample_mirror(p) : sample_smooth(p, true, v);
-    return p.glass_chance > 0.0f ? sample_glass(p, v.x) : BsdfSample{};
+    if (u < p.diffuse_chance) return weighed(p, sample_diffuse(p, v));
+    u -= p.diffuse_chance;
+    const shared::Brdf& below = p.surface->brdf;
+    if (u < p.specular_chance)
+        return p.mirror ? sample_mirror(p) : weighed(p, sample_lobe(p, p.normal, below.alpha, v));
+    u -= p.specular_chance;
+    if (u < p.coat_chance) return weighed(p, sample_lobe(p, p.coat_normal, p.surface->coat.alpha, v));
+    if (p.glass_chance <= 0.0f) return {};
+    if (!p.rough_glass) return sample_smooth_glass(p, v.x);
+    return weighed(p, sample_rough_glass(p, v, (u - p.coat_chance) / p.glass_chance));
 }
 
 // What turns the weight of radiance from wi toward wo into that of flux from wo toward wi.

@@ -14,16 +14,22 @@ struct ShadingPoint {
     glm::vec3 wo;               // unit, back along the ray
     glm::vec3 normal;           // shading normal, dot(normal, wo) > 0
     glm::vec3 geometric_normal; // unit, dot(geometric_normal, wo) >= 0
+    glm::vec3 coat_normal;      // dot(coat_normal, wo) > 0
     bool mirror;                // the specular lobe is ideal
-    float diffuse_chance, specular_chance,
-        glass_chance; // of sampling a lobe; they sum to 1, or to 0: a black surface
+    bool rough_glass;           // glass has a smooth lobe on both sides; otherwise it is ideal
+    // Of sampling a lobe; they sum to 1, or to 0: a black surface.
+    float diffuse_chance, specular_chance, glass_chance, coat_chance;
 
-    bool has_smooth_lobes() const { return diffuse_chance > 0.0f || (specular_chance > 0.0f && !mirror); }
+    bool has_smooth_lobes() const {
+        return diffuse_chance > 0.0f || (specular_chance > 0.0f && !mirror) ||
+               (glass_chance > 0.0f && rough_glass) || coat_chance > 0.0f;
+    }
     // Origin of a ray that leaves on the side of `direction`.
     glm::vec3 origin(glm::vec3 direction) const;
 };
 
-// The smooth lobes, 1/sr times the cosine, and the density of sample_bsdf; zero below either horizon.
+// The smooth lobes, 1/sr times the cosine, and the density of sample_bsdf. Below the geometric horizon only
+// rough glass has any; `specular` has all lobes but the Lambertian.
 struct BsdfValue {
     glm::vec3 diffuse{0.0f}, specular{0.0f};
     float pdf = 0.0f;
@@ -34,7 +40,8 @@ BsdfValue evaluate_bsdf(const ShadingPoint& point, glm::vec3 wi);
 // The surface as if it had no lobe but the Lambertian.
 Surface lambertian_part(Surface surface);
 
-// A specular lobe (S) is one of a mirror or of glass, or the GGX lobe of a surface that is at most so rough.
+// A specular lobe (S) is one of a mirror or of smooth glass, or the GGX lobe or the rough glass of a surface
+// that is at most so rough.
 inline bool has_specular_ggx(const Surface& surface, float specular_roughness) {
     return surface.roughness <= specular_roughness;
 }

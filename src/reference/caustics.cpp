@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/caustics.h"
+#include "reference/coverage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,12 +45,14 @@ void CausticTracer::gather(const PhotonMap& map, int pass, int x, int y, const S
     const shared::uint pixel = shared::uint(y) * shared::uint(width_) + shared::uint(x);
     Random random(pixel, shared::uint(pass), shared::uint(settings_.seed));
     const glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : random.next2();
-    const Ray ray{camera_.position, pixel_direction(camera_, width_, height_, glm::vec2(x, y) + jitter),
-                  near_, far_};
+    Ray ray{camera_.position, pixel_direction(camera_, width_, height_, glm::vec2(x, y) + jitter), near_,
+            far_};
     Hit hit;
-    if (map.size() == 0 || !rays_->intersect(ray, hit)) return sink(x, y, glm::vec3(0.0f), glm::vec3(0.0f));
+    float passed = 0.0f;
+    if (map.size() == 0 || !intersect_covered(*rays_, ray, hit, random, passed))
+        return sink(x, y, glm::vec3(0.0f), glm::vec3(0.0f));
     const Surface surface = lambertian_part(surface_at(rays_->scene(), hit, ray.direction));
-    const float radius = settings_.photon_radius * relative_photon_radius(pass) * pixel_ * hit.t;
+    const float radius = settings_.photon_radius * relative_photon_radius(pass) * pixel_ * (passed + hit.t);
     const PhotonLight light = reflected_photons(map, ShadingPoint(surface, ray.direction), radius);
     sink(x, y, light.whole, light.bias);
 }

@@ -30,6 +30,12 @@ void add(ContentKey& key, const Material& m) {
          {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
           &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
         add(key, *use);
+    add(key, m.attenuation_color);
+    for (float value : {m.attenuation_distance, m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal_scale})
+        key.add(value);
+    for (const TextureUse* use :
+         {&m.clearcoat_texture, &m.clearcoat_roughness_texture, &m.clearcoat_normal_texture})
+        add(key, *use);
     // Nothing is added without: keys of before stay as they are.
     if (m.has_relief()) add(key, m.height_texture), key.add(m.height_scale);
 }

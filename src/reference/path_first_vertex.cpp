@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/coverage.h"
 #include "reference/path_tracer.h"
 #include "shared/sampling.h"
 
@@ -51,8 +52,10 @@ float PathTracer::openness(const ShadingPoint& point, Random& random) const {
     const bool endless = settings_.ao_membership == Membership::exponential;
     Ray ray{point.origin(wi), wi, 0.0f, endless ? Ray{}.t_max : radius};
     Hit hit;
-    if (!intersect(ray, hit)) return 1.0f;
-    float d = endless ? hit.t / radius : std::min(hit.t / radius, 1.0f);
+    float passed = 0.0f;
+    if (!intersect_covered(*rays_, ray, hit, random, passed)) return 1.0f;
+    const float way = passed + hit.t;
+    float d = endless ? way / radius : std::min(way / radius, 1.0f);
     switch (settings_.ao_membership) {
     case Membership::sqrt:
         return std::sqrt(d);
@@ -76,7 +79,8 @@ glm::vec3 PathTracer::unoccluded_bounce(const ShadingPoint& point, Random& rando
     Hit hit;
     while (intersect(ray, hit)) {
         Surface surface = surface_at(*scene_, hit, wi);
-        if (surface.front || surface.material->double_sided) sum += diffuse_reflection(surface, wi, random);
+        if (surface.front || surface.material->double_sided)
+            sum += surface.coverage * diffuse_reflection(surface, wi, random);
         ShadingPoint layer(surface, wi);
         ray.origin = layer.origin(wi);
     }

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "reference/coverage.h"
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -97,6 +99,7 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
              {&path.beta, &path.diffuse, &path.reflected, &path.reflected_smooth, &path.caustic})
             *throughput /= survival;
     }
+    path.media.leave(*point.surface, sample.wi);
     path.ray = {point.origin(sample.wi), sample.wi};
     return true;
 }
@@ -149,8 +152,31 @@ void PathTracer::add_photons(Path& path, const ShadingPoint& point) const {
     path.result.photon_bias += path.beta * light.bias;
 }
 
+// Light on the present ray has come through what the path is inside of.
+void PathTracer::absorb(Path& path, const Surface* met) const {
+    const float distance =
+        met ? path.hit.t * glm::length(path.ray.direction) : std::numeric_limits<float>::infinity();
+    const glm::vec3 left = path.media.transmittance(distance, met);
+    if (left == glm::vec3(1.0f)) return;
+    for (glm::vec3* throughput :
+         {&path.beta, &path.diffuse, &path.reflected, &path.reflected_smooth, &path.caustic})
+        *throughput *= left;
+}
+
+// Alpha is coverage: so much of the light meets the surface, the rest goes on as if it were not there.
+bool PathTracer::passes_uncovered(Path& path, const Surface& surface) const {
+    if (surface.coverage >= 1.0f || path.random.next() < surface.coverage) return false;
+    absorb(path, &surface);
+    path.first = nullptr; // which knows the nearest surface only
+    go_behind(path.ray, path.hit, surface);
+    send(path);
+    path.alive = true;
+    return true;
+}
+
 // Past all surfaces there is the environment.
 void PathTracer::finish(Path& path) const {
+    if (!path.media.empty()) absorb(path, nullptr);
     add_met(path, environment_met(path.ray.direction, path.pdf));
     path.alive = false;
 }
@@ -184,6 +210,8 @@ void PathTracer::step(Path& path) const {
     // The surface may emit.
     Surface surface = path.first && path.vertex == 0 ? path.first->surface
                                                      : surface_at(*scene_, path.hit, path.ray.direction);
+    if (passes_uncovered(path, surface)) return;
+    absorb(path, &surface);
     add_met(path, emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf));
     ++path.vertex;
     const bool lambertian = only_lambertian_matters(path);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/light_sampler.h"
+#include "reference/media.h"
 #include "reference/photon_tracer.h"
 #include "reference/reference.h"
 
@@ -81,6 +82,7 @@ struct Path {
     bool ideal = false;                  // the lobe that sent the present ray
     bool after_smooth = false;           // a smooth lobe sent an earlier one, or this one
     const PhotonPass* photons = nullptr; // of this sample, where there are any
+    Media media;                         // that the path is inside of
     float length = 0.0f;                 // of the way from the camera
     float pdf = 0.0f;                    // of the present ray, where the lobe was smooth
 
@@ -155,6 +157,8 @@ private:
                const PhotonPass* photons) const;                     // up to the first hit
     void follow(std::span<Path> paths) const;                        // to their ends
     void step(Path& path) const;                                     // past one surface
+    bool passes_uncovered(Path& path, const Surface& surface) const; // by chance, where it is blended
+    void absorb(Path& path, const Surface* met) const;               // what media take from the present ray
     void send(Path& path, const FirstVertex* known = nullptr) const; // along its ray
     void finish(Path& path) const;
     bool scatter(Path& path, const ShadingPoint& point) const;

@@ -203,10 +203,13 @@ std::optional<PhotonPath> PhotonSource::start(Random& random) const {
     if (is_transparent(*scene_, target.instance, target.triangle, uv)) return std::nullopt;
 
     const Surface surface = surface_at(*scene_, target.hit(uv), -light.wi);
+    if (surface.coverage < 1.0f && random.next() >= surface.coverage) return std::nullopt;
     PhotonPath path;
     path.ray.direction = -light.wi;
     path.power = light.radiance * (std::abs(glm::dot(surface.geometric_normal, light.wi)) * target.area /
                                    (target.chance * kind_chance_[kind]));
+    if (!light.infinite)
+        path.power *= path.media.transmittance(glm::length(light.target - surface.position), &surface);
     const ShadingPoint point(surface, -light.wi);
     if (rays_->occluded(shadow_ray(point, light))) return std::nullopt;
     if (!scatter_photon(path, surface, specular_roughness_, random)) return std::nullopt;
@@ -222,6 +225,7 @@ bool scatter_photon(PhotonPath& path, const Surface& surface, float specular_rou
     const float survival = std::min(strongest, 1.0f);
     if (random.next() >= survival) return false;
     path.power *= sample.weight / survival;
+    path.media.leave(surface, sample.wi);
     path.ray = {point.origin(sample.wi), sample.wi};
     return true;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/light_sampler.h"
+#include "reference/media.h"
 #include "scene/lights.h"
 
 namespace luxel {
@@ -16,6 +17,7 @@ namespace luxel {
 struct PhotonPath {
     Ray ray;
     glm::vec3 power; // W
+    Media media;     // that it is inside of
 };
 
 class PhotonSource {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "reference/coverage.h"
 #include "shared/brdf.h"
 
 namespace luxel {
@@ -37,6 +38,11 @@ void PhotonTracer::trace_photon(int pass, int index, std::vector<Photon>& stored
         Hit hit;
         if (!rays_->intersect(path->ray, hit)) return;
         const Surface surface = surface_at(rays_->scene(), hit, path->ray.direction);
+        path->power *= path->media.transmittance(hit.t * glm::length(path->ray.direction), &surface);
+        if (surface.coverage < 1.0f && random.next() >= surface.coverage) {
+            go_behind(path->ray, hit, surface);
+            continue;
+        }
         if (way_.is_kept(surface)) {
             // Power over area is irradiance of the geometric surface; what is reflected goes by the shading
             // normal.

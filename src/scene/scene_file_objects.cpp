@@ -36,6 +36,15 @@ void change(Material& material, const ObjectRule& rule) {
     if (rule.emission) material.emission = *rule.emission, material.emission_texture = {};
     if (rule.transmission) material.transmission = *rule.transmission, material.transmission_texture = {};
     if (rule.ior) material.ior = *rule.ior;
+    if (rule.thin) material.thin = *rule.thin;
+    if (rule.attenuation_color) material.attenuation_color = *rule.attenuation_color;
+    if (rule.attenuation_distance) material.attenuation_distance = *rule.attenuation_distance;
+    if (rule.clearcoat) {
+        material.clearcoat = *rule.clearcoat;
+        material.clearcoat_texture = material.clearcoat_normal_texture = {};
+    }
+    if (rule.clearcoat_roughness)
+        material.clearcoat_roughness = *rule.clearcoat_roughness, material.clearcoat_roughness_texture = {};
 }
 
 // Adds the rules' height maps to the scene's textures, each file once.
@@ -141,7 +150,8 @@ std::optional<Impostor> read_impostor(Section& section) {
     const bool any = impostor.kind != ImpostorKind::none;
     const bool cloud = impostor.kind == ImpostorKind::billboard_cloud;
     if (size && !any) section.reject(size_key, "impostor_size is of an impostor; give \"impostor\", too");
-    if (error && (cloud || !any)) section.reject(error_key, "impostor_error is of a billboard or a nailboard");
+    if (error && (cloud || !any))
+        section.reject(error_key, "impostor_error is of a billboard or a nailboard");
     if (distance && !cloud) section.reject(distance_key, "impostor_distance is of a billboard_cloud");
     if (cloud && !distance) section.reject("impostor", "a billboard_cloud needs \"impostor_distance\"");
     impostor.size = size.value_or(impostor.size);
@@ -171,7 +181,7 @@ bool matches_glob(std::string_view pattern, std::string_view name) {
 }
 
 ObjectRule read_object_rule(Section& section) {
-    ObjectRule rule{section, section.required_text("name"), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    ObjectRule rule{.section = section, .pattern = section.required_text("name")};
     rule.role = section.text("role");
     rule.base_color = section.triple("base_color", 0, 1, true);
     rule.metallic = section.number("metallic", 0, 1);
@@ -179,6 +189,11 @@ ObjectRule read_object_rule(Section& section) {
     rule.emission = section.triple("emission", 0, 1e12, true);
     rule.transmission = section.number("transmission", 0, 1);
     rule.ior = section.number("ior", 1, 10);
+    rule.thin = section.flag("thin");
+    rule.attenuation_color = section.triple("attenuation_color", 0, 1, true);
+    rule.attenuation_distance = section.number("attenuation_distance", 1e-6, 1e6);
+    rule.clearcoat = section.number("clearcoat", 0, 1);
+    rule.clearcoat_roughness = section.number("clearcoat_roughness", 0, 1);
     rule.height_map = section.text("height_map");
     rule.height_scale = section.number("height_scale", 1e-6, 1e3);
     rule.impostor = read_impostor(section);
@@ -186,6 +201,11 @@ ObjectRule read_object_rule(Section& section) {
     if (rule.height_map.has_value() != rule.height_scale.has_value())
         section.reject(rule.height_map ? "height_map" : "height_scale",
                        "give \"height_map\" and \"height_scale\" together");
+    if (rule.attenuation_color.has_value() != rule.attenuation_distance.has_value())
+        section.reject(rule.attenuation_color ? "attenuation_color" : "attenuation_distance",
+                       "give \"attenuation_color\" and \"attenuation_distance\" together");
+    if (rule.attenuation_color && rule.thin.value_or(false))
+        section.reject("thin", "a thin sheet has no inside that absorbs; give thin = false");
     if (!rule.role && !rule.impostor && !rule.changes_material())
         section.reject("name", "the object changes nothing");
     return rule;

@@ -15,12 +15,15 @@ struct ObjectRule {
     Section section; // for sentences
     std::string pattern;
     std::optional<std::string> role;
-    std::optional<glm::vec3> base_color, emission;
-    std::optional<float> metallic, roughness, transmission, ior, height_scale;
+    std::optional<glm::vec3> base_color, emission, attenuation_color;
+    std::optional<float> metallic, roughness, transmission, ior, attenuation_distance, clearcoat,
+        clearcoat_roughness, height_scale;
+    std::optional<bool> thin;
     std::optional<std::string> height_map;
     std::optional<Impostor> impostor;
     bool changes_material() const {
-        return base_color || emission || metallic || roughness || transmission || ior || height_map;
+        return base_color || emission || attenuation_color || metallic || roughness || transmission || ior ||
+               attenuation_distance || clearcoat || clearcoat_roughness || thin || height_map;
     }
 };
 

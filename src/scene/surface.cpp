@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/texture_filter.h"
+#include "shared/clearcoat.h"
 
 namespace luxel {
 namespace {
@@ -20,6 +21,12 @@ T interpolate(const Mesh& mesh, const std::vector<T>& values, std::uint32_t tria
 }
 
 glm::vec3 weights_of(glm::vec2 uv) { return {1.0f - uv.x - uv.y, uv.x, uv.y}; }
+
+// Less than a step of 8 bits from nothing or from all is that.
+float coverage_of(float alpha) {
+    constexpr float rounding = 1.0f / 512.0f;
+    return alpha < rounding ? 0.0f : alpha > 1.0f - rounding ? 1.0f : alpha;
+}
 
 float largest_component(glm::vec3 v) { return std::max(std::max(v.x, v.y), v.z); }
 
@@ -62,7 +69,8 @@ bool is_textured(const Material& m) {
     int all = -1; // stays negative as long as every index is
     for (const TextureUse* use :
          {&m.base_color_texture, &m.normal_texture, &m.metallic_roughness_texture, &m.emission_texture,
-          &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+          &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.clearcoat_texture,
+          &m.clearcoat_roughness_texture, &m.clearcoat_normal_texture})
         all &= use->texture;
     return all >= 0;
 }
@@ -81,12 +89,17 @@ struct MaterialFootprints {
         specular = locate(k.scene, m.specular_texture, uv);
         specular_color = locate(k.scene, m.specular_color_texture, uv);
         transmission = locate(k.scene, m.transmission_texture, uv);
+        if (m.clearcoat <= 0.0f) return;
+        clearcoat = locate(k.scene, m.clearcoat_texture, uv);
+        clearcoat_roughness = locate(k.scene, m.clearcoat_roughness_texture, uv);
+        clearcoat_normal = locate(k.scene, m.clearcoat_normal_texture, uv);
     }
-    Footprint base_color, normal, metallic_roughness, emission, specular, specular_color, transmission;
+    Footprint base_color, normal, metallic_roughness, emission, specular, specular_color, transmission,
+        clearcoat, clearcoat_roughness, clearcoat_normal;
 };
 
-glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Corners& corners,
-                         const Footprint& normal_map, glm::vec3 geometric_normal) {
+glm::vec3 shading_normal(const Mesh& mesh, const Corners& corners, const Footprint& normal_map, float scale,
+                         glm::vec3 geometric_normal) {
     glm::vec3 n = interpolate(corners.triangle().normals, corners.weights);
     float length = glm::length(n);
     if (!(length > 0.0f)) return geometric_normal; // opposite vertex normals that cancel
@@ -101,7 +114,7 @@ glm::vec3 shading_normal(const Mesh& mesh, const Material& material, const Corne
     t /= tangent_length;
     glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -1.0f : 1.0f);
     glm::vec3 m = glm::vec3(filter(normal_map)) * 2.0f - 1.0f;
-    glm::vec3 bent = t * (m.x * material.normal_scale) + b * (m.y * material.normal_scale) + n * m.z;
+    glm::vec3 bent = t * (m.x * scale) + b * (m.y * scale) + n * m.z;
     float bent_length = glm::length(bent);
     return bent_length > 0.0f ? bent / bent_length : n;
 }
@@ -123,10 +136,11 @@ void place(Surface& s, const Corners& corners) {
 // Factors times textures.
 void look_up_material(Surface& s, const Mesh& mesh, const Material& material,
                       const MaterialFootprints& textures, const Corners& corners) {
-    s.base_color = glm::vec3(material.base_color);
-    if (textures.base_color.texture) s.base_color *= glm::vec3(filter(textures.base_color));
-    if (!mesh.colors.empty())
-        s.base_color *= glm::vec3(interpolate(mesh, mesh.colors, corners.hit.triangle, corners.weights));
+    glm::vec4 base = material.base_color;
+    if (textures.base_color.texture) base *= filter(textures.base_color);
+    if (!mesh.colors.empty()) base *= interpolate(mesh, mesh.colors, corners.hit.triangle, corners.weights);
+    s.base_color = glm::vec3(base);
+    s.coverage = material.alpha_mode == AlphaMode::blend ? coverage_of(base.a) : 1.0f;
     s.metallic = material.metallic, s.roughness = material.roughness;
     if (textures.metallic_roughness.texture) {
         glm::vec4 t = filter(textures.metallic_roughness);
@@ -155,6 +169,27 @@ shared::Brdf lobes_of(const Surface& s, BrdfModel model, glm::vec3 to_viewer) {
     return shared::scale_brdf(brdf, 1.0f - s.transmission);
 }
 
+// Facets of a rough sheet send all to one of its sides, of a solid's they lose what they pass on to each
+// other.
+float gain_of_glass(const Surface& s, BrdfModel model, glm::vec3 to_viewer) {
+    if (model == BrdfModel::single || !s.material->thin || s.transmission <= 0.0f ||
+        s.roughness < shared::MIRROR_ROUGHNESS)
+        return 1.0f;
+    return 1.0f / shared::ggx_directional_albedo(std::abs(glm::dot(s.normal, to_viewer)), s.brdf.alpha).whole;
+}
+
+void add_coat(Surface& s, const MaterialFootprints& textures, BrdfModel model, glm::vec3 to_viewer) {
+    float share = s.material->clearcoat, roughness = s.material->clearcoat_roughness;
+    if (textures.clearcoat.texture) share *= filter(textures.clearcoat).r;
+    if (textures.clearcoat_roughness.texture) roughness *= filter(textures.clearcoat_roughness).g;
+    const shared::Coat coat =
+        shared::make_coat(share, roughness, std::abs(glm::dot(s.coat_normal, to_viewer)),
+                          model == BrdfModel::multiple ? 1.0f : 0.0f);
+    s.coat = coat.lobe;
+    s.brdf = shared::scale_brdf(s.brdf, coat.passes);
+    s.glass_gain *= coat.passes;
+}
+
 } // namespace
 
 glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv) { return filter(footprint(texture, uv)); }
@@ -166,15 +201,20 @@ glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t 
            glm::vec3(look_up(scene, mesh, triangle, weights_of(uv), material.emission_texture));
 }
 
-bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
+float coverage_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
-    if (material.alpha_mode == AlphaMode::opaque) return false;
+    if (material.alpha_mode == AlphaMode::opaque) return 1.0f;
     const glm::vec3 weights = weights_of(uv);
     float alpha =
         material.base_color.a * look_up(scene, mesh, triangle, weights, material.base_color_texture).a;
     if (!mesh.colors.empty()) alpha *= interpolate(mesh, mesh.colors, triangle, weights).a;
-    return alpha < (material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 0.5f);
+    if (material.alpha_mode == AlphaMode::blend) return coverage_of(alpha);
+    return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
+}
+
+bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
+    return coverage_at(scene, instance, triangle, uv) <= 0.0f;
 }
 
 void load_triangle(const Hit& hit) {
@@ -199,7 +239,7 @@ Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
     const Corners corners(scene, hit);
     const MaterialFootprints textures(mesh, material, corners);
 
-    Surface s;
+    Surface s{};
     s.material = &material;
     place(s, corners);
     s.front = glm::dot(s.geometric_normal, direction) < 0.0f;
@@ -208,12 +248,20 @@ Surface surface_at(const Scene& scene, const Hit& hit, glm::vec3 direction) {
 
     // Bend on the side that the ray sees, then turn back.
     const float side = s.front ? 1.0f : -1.0f;
-    const glm::vec3 n = shading_normal(mesh, material, corners, textures.normal, s.geometric_normal),
-                    to_viewer = -glm::normalize(direction);
-    s.normal = shared::bent_normal(n * side, s.geometric_normal * side, to_viewer,
-                                   shared::share_without_diffuse(s.metallic, s.transmission)) *
-               side;
+    const glm::vec3 ng = s.geometric_normal * side, to_viewer = -glm::normalize(direction);
+    const auto bent = [&](const Footprint& map, float scale, float specular) {
+        const glm::vec3 n = shading_normal(mesh, corners, map, scale, s.geometric_normal);
+        return shared::bent_normal(n * side, ng, to_viewer, specular) * side;
+    };
+    s.normal = bent(textures.normal, material.normal_scale,
+                    shared::share_without_diffuse(s.metallic, s.transmission));
     s.brdf = lobes_of(s, scene.brdf, to_viewer);
+    s.glass_gain = gain_of_glass(s, scene.brdf, to_viewer);
+    s.coat_normal = s.normal;
+    if (material.clearcoat > 0.0f) {
+        s.coat_normal = bent(textures.clearcoat_normal, material.clearcoat_normal_scale, 1.0f);
+        add_coat(s, textures, scene.brdf, to_viewer);
+    }
     return s;
 }
 

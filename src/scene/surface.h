@@ -17,8 +17,13 @@ struct Surface {
     const Material* material;
     // Toward the ray's origin, scaled by 1 - transmission; `diffuse` with shared::horizon_gain.
     shared::Brdf brdf;
+    float coverage;        // share of the light that meets the surface: alpha where it is blended, else 1
+    shared::Brdf coat;     // KHR_materials_clearcoat's own lobe; all that is below it has been weakened by it
+    glm::vec3 coat_normal; // as `normal`, without the normal map of what is below
+    bool has_coat() const { return coat.f90.x > 0.0f; }
     float metallic, roughness;
-    float transmission; // share of the surface that is a smooth dielectric, metals excluded
+    float transmission; // share of the surface that is a dielectric light passes through, metals excluded
+    float glass_gain;   // on what that share reflects and lets through: below a coat, or spread by facets
     float specular;     // KHR_materials_specular, textures included
     glm::vec3 specular_color;
     glm::vec3 base_color; // linear, texture x factor x vertex color
@@ -38,7 +43,10 @@ void prefetch_texels(const Scene& scene, const Hit& hit);
 // Radiance that leaves the front of a triangle at barycentric (u, v).
 glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
 
-// Whether the material's alpha mask leaves a hole at barycentric (u, v).
+// Share of the light that meets the surface at barycentric (u, v): 0 or 1 by an alpha mask, alpha where it is
+// blended.
+float coverage_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
+// Whether nothing at all meets it.
 bool is_transparent(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv);
 
 // RGBA in [0, 1], linear (srgb textures decoded). Texel (0, 0) is the top left; uv (0, 0) is its corner.

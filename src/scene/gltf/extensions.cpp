@@ -9,11 +9,14 @@ namespace luxel::gltf {
 namespace {
 
 // Read, or of no consequence for a still image of the default variant.
-constexpr std::array<std::string_view, 12> supported{
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_transmission", "KHR_materials_specular",          "KHR_materials_volume",
-    "KHR_materials_unlit",        "KHR_texture_transform",           "KHR_mesh_quantization",
-    "EXT_meshopt_compression",    "KHR_materials_variants",          "KHR_xmp_json_ld"};
+constexpr std::array<std::string_view, 13> supported{
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_transmission",
+    "KHR_materials_specular",  "KHR_materials_volume",
+    "KHR_materials_clearcoat", "KHR_materials_unlit",
+    "KHR_texture_transform",   "KHR_mesh_quantization",
+    "EXT_meshopt_compression", "KHR_materials_variants",
+    "KHR_xmp_json_ld"};
 
 std::string_view advice(std::string_view extension) {
     if (extension == "KHR_draco_mesh_compression")

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/gltf/texture.h"
+#include "shared/brdf.h"
 
 namespace luxel::gltf {
 namespace {
@@ -39,7 +40,7 @@ void read_emission(TextureTable& textures, const Value& json, Material& m) {
     m.emission_texture = textures.use(json["emissiveTexture"], TextureRole::color);
 }
 
-void read_alpha(Document& document, const Value& json, Material& m) {
+void read_alpha(const Value& json, Material& m) {
     const std::string mode = json["alphaMode"].text("OPAQUE");
     m.alpha_cutoff = json["alphaCutoff"].number(0.5f);
     if (m.alpha_cutoff < 0.0f) json["alphaCutoff"].fail("is negative");
@@ -48,13 +49,37 @@ void read_alpha(Document& document, const Value& json, Material& m) {
     else if (mode == "BLEND") {
         m.alpha_mode = AlphaMode::blend;
         m.alpha_cutoff = 0.5f;
-        document.warn("alpha-blended material is cut at alpha .5");
     } else if (mode != "OPAQUE") {
         json["alphaMode"].fail("\"{}\" is not an alpha mode", printable(mode));
     }
 }
 
-void read_dielectric(Document& document, TextureTable& textures, const Value& extensions, Material& m) {
+// Coats have an index of refraction of 1.5.
+void read_clearcoat(TextureTable& textures, const Value& extensions, Material& m) {
+    const Value coat = extensions["KHR_materials_clearcoat"];
+    m.clearcoat = unit(coat["clearcoatFactor"], 0.0f);
+    m.clearcoat_roughness = unit(coat["clearcoatRoughnessFactor"], 0.0f);
+    if (m.clearcoat <= 0.0f) return;
+    m.clearcoat_texture = textures.use(coat["clearcoatTexture"], TextureRole::data);
+    m.clearcoat_roughness_texture = textures.use(coat["clearcoatRoughnessTexture"], TextureRole::data);
+    m.clearcoat_normal_texture = textures.use(coat["clearcoatNormalTexture"], TextureRole::normal);
+    m.clearcoat_normal_scale = coat["clearcoatNormalTexture"]["scale"].number(1.0f);
+}
+
+void read_volume(const Value& volume, Material& m) {
+    // A thickness of 0 is a thin wall, whatever else the volume says.
+    m.thin = !(volume["thicknessFactor"].number(0.0f) > 0.0f);
+    const Value color = volume["attenuationColor"], distance = volume["attenuationDistance"];
+    m.attenuation_color = color.vec<3>(glm::vec3(1.0f));
+    if (glm::any(glm::lessThan(m.attenuation_color, glm::vec3(0.0f))) ||
+        glm::any(glm::greaterThan(m.attenuation_color, glm::vec3(1.0f))))
+        color.fail("is not within 0 to 1");
+    if (!distance) return;
+    m.attenuation_distance = distance.number(0.0f);
+    if (!(m.attenuation_distance > 0.0f)) distance.fail("{} is not above 0", m.attenuation_distance);
+}
+
+void read_dielectric(TextureTable& textures, const Value& extensions, Material& m) {
     // An index of 0 is KHR_materials_ior's way to say "reflects everything"; a very large one does the same.
     const Value ior = extensions["KHR_materials_ior"]["ior"];
     m.ior = ior.number(1.5f);
@@ -71,18 +96,20 @@ void read_dielectric(Document& document, TextureTable& textures, const Value& ex
     m.transmission = unit(transmission["transmissionFactor"], 0.0f);
     m.transmission_texture = textures.use(transmission["transmissionTexture"], TextureRole::data);
 
-    // A thickness of 0 is a thin wall, whatever else the volume says.
-    const Value volume = extensions["KHR_materials_volume"];
-    m.thin = !(volume["thicknessFactor"].number(0.0f) > 0.0f);
-    if (!m.thin && volume["attenuationDistance"]) document.warn("absorption inside a volume is left out");
+    read_volume(extensions["KHR_materials_volume"], m);
+    read_clearcoat(textures, extensions, m);
 }
 
-// Extensions whose absence shows.
-void warn_of_missing_looks(Document& document, const Value& extensions) {
-    for (const char* name :
-         {"KHR_materials_clearcoat", "KHR_materials_sheen", "KHR_materials_anisotropy",
-          "KHR_materials_iridescence", "KHR_materials_dispersion", "KHR_materials_diffuse_transmission",
-          "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"})
+// Extensions whose absence shows, and what frames cannot draw.
+void warn_of_missing_looks(Document& document, const Value& extensions, const Material& m) {
+    if (m.clearcoat > 0.0f)
+        document.warn("a clear coat is in the reference alone; frames draw what is below it");
+    if (m.transmission > 0.0f && m.roughness > shared::SMOOTH_ROUGHNESS &&
+        m.metallic_roughness_texture.texture < 0)
+        document.warn("light that passes rough glass is in the reference alone; frames leave it out");
+    for (const char* name : {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence",
+                             "KHR_materials_dispersion", "KHR_materials_diffuse_transmission",
+                             "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"})
         if (extensions[name])
             document.warn(fmt::format("{} is not supported and left out of a material", name));
 }
@@ -92,9 +119,9 @@ Material read_material(Document& document, TextureTable& textures, const Value& 
     m.name = printable(json["name"].text(""));
     read_metallic_roughness(textures, json["pbrMetallicRoughness"], m);
     read_emission(textures, json, m);
-    read_alpha(document, json, m);
-    read_dielectric(document, textures, json["extensions"], m);
-    warn_of_missing_looks(document, json["extensions"]);
+    read_alpha(json, m);
+    read_dielectric(textures, json["extensions"], m);
+    warn_of_missing_looks(document, json["extensions"], m);
     m.normal_texture = textures.use(json["normalTexture"], TextureRole::normal);
     m.normal_scale = json["normalTexture"]["scale"].number(1.0f);
     m.double_sided = json["doubleSided"].flag(false);

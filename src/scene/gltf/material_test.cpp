@@ -53,7 +53,9 @@ TEST(GltfMaterial, ReadsFactorsAndExtensions) {
           {"KHR_materials_ior", {{"ior", 1.33}}},
           {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 2, 0}}}},
           {"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
-          {"KHR_materials_volume", {{"thicknessFactor", 0.1}, {"attenuationDistance", 2}}}}}};
+          {"KHR_materials_volume",
+           {{"thicknessFactor", 0.1}, {"attenuationDistance", 2}, {"attenuationColor", {1, 0.5, 0.25}}}},
+          {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.5}}}}}};
     const Scene scene = file.load();
     const Material& m = scene.materials[0];
     EXPECT_EQ(m.name, "glass");
@@ -69,8 +71,21 @@ TEST(GltfMaterial, ReadsFactorsAndExtensions) {
     EXPECT_EQ(m.specular_color, glm::vec3(1, 2, 0));
     EXPECT_FLOAT_EQ(m.transmission, 0.9f);
     EXPECT_FALSE(m.thin);
-    ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_CONTAINS(scene.warnings[0], "absorption");
+    EXPECT_EQ(m.attenuation_distance, 2.0f);
+    EXPECT_EQ(m.attenuation_color, glm::vec3(1, 0.5, 0.25));
+    EXPECT_EQ(m.clearcoat, 0.75f);
+    EXPECT_EQ(m.clearcoat_roughness, 0.5f);
+    ASSERT_EQ(scene.warnings.size(), 2u) << "of what frames cannot draw";
+    EXPECT_CONTAINS(scene.warnings[0], "clear coat");
+    EXPECT_CONTAINS(scene.warnings[1], "rough glass");
+}
+
+TEST(GltfMaterial, RejectsAbsorptionThatCannotBe) {
+    TestGltf file;
+    file.material()["extensions"]["KHR_materials_volume"] = {{"attenuationDistance", 0}};
+    EXPECT_THROW(file.load(), Error);
+    file.material()["extensions"]["KHR_materials_volume"] = {{"attenuationColor", {2, 0, 0}}};
+    EXPECT_THROW(file.load(), Error);
 }
 
 TEST(GltfMaterial, IsThinWithoutThickness) {
@@ -79,24 +94,23 @@ TEST(GltfMaterial, IsThinWithoutThickness) {
     EXPECT_TRUE(file.load().materials[0].thin);
 }
 
-TEST(GltfMaterial, CutsBlendedMaterialsWithAWarning) {
+TEST(GltfMaterial, ReadsBlendedMaterials) {
     TestGltf file;
     file.material() = {{"alphaMode", "BLEND"}, {"alphaCutoff", 0.1}};
     const Scene scene = file.load();
     EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
-    EXPECT_EQ(scene.materials[0].alpha_cutoff, 0.5f);
-    EXPECT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(GltfMaterial, WarnsOfLooksItLeavesOut) {
     TestGltf file;
-    file.material()["extensions"] = {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+    file.material()["extensions"] = {{"KHR_materials_sheen", nlohmann::json::object()},
                                      {"KHR_materials_unlit", nlohmann::json::object()},
                                      {"VENDOR_unknown", nlohmann::json::object()}};
-    file.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_unlit", "VENDOR_unknown"};
+    file.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "VENDOR_unknown"};
     const Scene scene = file.load();
     ASSERT_EQ(scene.warnings.size(), 2u);
-    EXPECT_CONTAINS(scene.warnings[0], "KHR_materials_clearcoat");
+    EXPECT_CONTAINS(scene.warnings[0], "KHR_materials_sheen");
     EXPECT_CONTAINS(scene.warnings[1], "KHR_materials_unlit");
 }
 

@@ -24,6 +24,8 @@ void FrameOptions::visit(Visitor& v) {
     v.integer("supersample", supersample, {1, 8},
               "antialiasing: the frame and its techniques at this many times the width and height, then the "
               "mean of each pixel's square");
+    v.integer("blend_layers", blend_layers, {0, 64},
+              "nearest alpha-blended surfaces of a pixel that are drawn; farther ones are left out");
     v.flag("mipmaps", mipmaps, "off: textures are looked up bilinearly at full size, as in the reference");
 }
 

@@ -7,8 +7,9 @@ namespace luxel {
 namespace {
 
 // Shares of the sides that are left out, see gbuffer_fragment.glsl.
-shared::PeelParams peel_params(const Capture& capture, Sides sides) {
-    shared::PeelParams p{.view = capture.view};
+shared::PeelParams peel_params(const Capture& capture, const CaptureRequest& request) {
+    shared::PeelParams p{.view = capture.view, .blended = request.blended ? 1.0f : 0.0f};
+    const Sides sides = request.sides;
     if (sides == Sides::standard) p.drop_solid_back = 1.0f;
     if (sides == Sides::front) p.drop_back = 1.0f;
     if (sides == Sides::back) p.drop_front = 1.0f;
@@ -47,7 +48,7 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
     const GpuScene& scene = *capture.scene;
     const Frustum frustum = frustum_of(capture.view.world_to_clip);
     const bool one_side = request.sides == Sides::front || request.sides == Sides::back;
-    const bool peels = request.farther_than || one_side;
+    const bool peels = request.farther_than || one_side || request.blended;
 
     // Depth of what is opaque comes first, so that each pixel is shaded about once. It cannot peel: which
     // surfaces have a back is their material's business. Reliefs are where their search ends.
@@ -70,7 +71,7 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
             scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn, apart);
         if (batches.empty() && kind.surfaces != Surfaces::plain) continue;
         if (peels)
-            recorder.draw(kind.peeling, pass, peel_params(capture, request.sides), bindings, scene.indices(),
+            recorder.draw(kind.peeling, pass, peel_params(capture, request), bindings, scene.indices(),
                           batches);
         else
             recorder.draw(kind.program, pass, capture.view, bindings, scene.indices(), batches);
@@ -81,7 +82,7 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
         scene.batches(frustum, Surfaces::displaced, MaterialUse::all, request.drawn);
     if (reliefs.empty()) return;
     recorder.draw(peels ? "frame/peel_displaced" : "frame/gbuffer_displaced", pass,
-                  shared::DisplacedParams{peel_params(capture, request.sides), *capture.search}, bindings,
+                  shared::DisplacedParams{peel_params(capture, request), *capture.search}, bindings,
                   scene.indices(), reliefs);
 }
 

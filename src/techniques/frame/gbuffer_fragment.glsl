@@ -127,7 +127,12 @@ void main() {
 
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);
-    out_normal = vec4(n, 1.0);
+#ifdef PEEL
+    float layer = p.blended;
+#else
+    const float layer = 0.0;
+#endif
+    out_normal = vec4(n, mix(1.0, base.a, layer));
     out_geometric_normal = vec4(geometric, side);
     out_depth = z;
     out_emission = vec4(front || m.double_sided != 0u ? emission : vec3(0.0),
@@ -139,7 +144,9 @@ void main() {
 #endif
 
     // Last, so that the derivatives above are those of whole quads.
-    if (base.a < m.alpha_cutoff || z > view.far) discard;
+    bool whole = base.a >= mix(m.alpha_cutoff, WHOLE_COVERAGE, m.blended);
+    bool part = m.blended > 0.5 && !whole && base.a > 1.0 - WHOLE_COVERAGE;
+    if (!(layer > 0.5 ? part : whole) || z > view.far) discard;
 #ifdef PEEL
     if (z <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
     float solid = m.double_sided == 0u ? 1.0 : 0.0;

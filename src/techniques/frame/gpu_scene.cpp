@@ -104,6 +104,7 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m, bo
     r.transmission = m.transmission;
     if (m.alpha_mode != AlphaMode::opaque)
         r.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.5f;
+    r.blended = m.alpha_mode == AlphaMode::blend ? 1.0f : 0.0f;
     r.double_sided = m.double_sided ? 1 : 0;
     r.thin = m.thin ? 1 : 0;
     for (const TextureSlot& slot : texture_slots)

@@ -42,6 +42,7 @@ struct MaterialRecord {
     vec3 specular_color;
     float transmission;
     float alpha_cutoff; // 0: opaque
+    float blended;      // 1: alpha is coverage, 0: alpha_cutoff decides
     uint double_sided;
     uint thin; // what passes is not refracted
     TextureRecord base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
@@ -49,6 +50,10 @@ struct MaterialRecord {
     float height_scale;        // meters
     float multiple_scattering; // BrdfModel: 1 = multiple, 0 = single
 };
+
+// What covers more of its pixel than this covers all of it, what covers less than 1 minus this covers
+// nothing.
+LUXEL_CONST float WHOLE_COVERAGE = 511.0f / 512.0f;
 
 // The sampler repeats; the other modes are folded into [0, 1] here. Keeping half a texel away from the border
 // makes the bilinear filter see the border texel twice, as clamping and mirroring do.

@@ -11,6 +11,7 @@ struct PeelParams {
     ViewParams view;
     float drop_front, drop_back;
     float drop_solid_back; // of single-sided surfaces
+    float blended;         // 1: only what covers a part of its pixel, 0: only what covers all of it
 };
 
 LUXEL_END

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "scene/lights.h"
 #include "techniques/frame/ambient_params.h"
+#include "techniques/frame/blending.h"
 #include "techniques/frame/capture.h"
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
@@ -22,7 +23,7 @@ struct Renderer::Data {
         : gpu(g), scene(s), options(o), on_gpu(g, s, o.mipmaps),
           shadows(g, o.shadow, o.esm_exponent,
                   std::min(std::uint64_t(o.shadow_memory) << 20, g.device().memory_bytes / 4)),
-          direct(s, o), impostors(s) {
+          direct(s, o), impostors(s), blended(blended_instances(s)) {
         if (options.environment == EnvironmentMode::ambient && !scene.environment.empty()) {
             std::vector<glm::vec3> sh = project_environment_sh(scene.environment);
             LUXEL_ASSERT(sh.size() == 9, "size={}", sh.size());
@@ -33,10 +34,16 @@ struct Renderer::Data {
         open = gpu.upload_image(Image(1, 1, 1, 1.0f), "open");
     }
 
-    Frame make_frame(gpu::Recorder& recorder, const RenderRequest& request);
-    void add_ambient(gpu::Recorder& recorder, const Frame& frame) const;
+    // A frame, and the alpha-blended surfaces over it, nearest first.
+    struct Seen {
+        Frame frame;
+        std::vector<Capture> layers;
+    };
+    Seen make_frame(gpu::Recorder& recorder, const RenderRequest& request);
+    gpu::Image ambient_light(gpu::Recorder& recorder, const Capture& capture, const std::string& name) const;
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
+    void lay_over(gpu::Recorder& recorder, const Seen& seen, const gpu::Image& radiance) const;
 
     // The mean of each pixel's samples; the image itself where a pixel has one.
     gpu::Image average(gpu::Recorder& recorder, const gpu::Image& image, const std::string& name) const;
@@ -48,6 +55,7 @@ struct Renderer::Data {
     ShadowCache shadows;
     DirectLight direct;
     Impostors impostors;
+    std::vector<bool> blended; // instances; empty: none
     shared::AmbientParams ambient{};
     gpu::Image environment, open; // open: accessibility 1
     std::uint64_t motion = 0;     // calls of update_motion
@@ -121,8 +129,9 @@ gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
 
 } // namespace
 
-Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) {
-    Frame f;
+Renderer::Data::Seen Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& request) {
+    Seen whole;
+    Frame& f = whole.frame;
     std::optional<shared::HeightSearch> search;
     for (const Technique* t : request.techniques)
         if (t->slot() == Slot::surface) search = t->height_search();
@@ -134,7 +143,16 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     if (!impostors.empty()) seen.drawn = impostors.refresh(recorder, on_gpu, seen.view, search);
     static_cast<Capture&>(f) = capture_surfaces(recorder, on_gpu, seen, search);
     if (!impostors.empty()) impostors.draw(recorder, f);
-    direct.render(recorder, shadows, {f});
+
+    // What covers a part of its pixel lies over that, and is lit with it.
+    if (!blended.empty()) {
+        std::vector<bool> drawn = blended;
+        for (std::size_t i = 0; i < seen.drawn.size(); ++i) drawn[i] = drawn[i] && seen.drawn[i];
+        whole.layers = blended_layers(recorder, on_gpu, seen.view, drawn, options.blend_layers, search);
+    }
+    std::vector<Capture> lit = {f};
+    lit.insert(lit.end(), whole.layers.begin(), whole.layers.end());
+    direct.render(recorder, shadows, lit);
 
     f.capture_surfaces = [this, search, meshes = seen.drawn](gpu::Recorder& r, const CaptureRequest& c) {
         if (!c.behind_frame || meshes.empty()) return capture_surfaces(r, on_gpu, c, search);
@@ -155,20 +173,35 @@ Frame Renderer::Data::make_frame(gpu::Recorder& recorder, const RenderRequest& r
     f.environment = environment;
     f.motion = motion;
     f.camera = request.camera;
-    f.ambient = recorder.image({.width = f.width, .height = f.height}, "ambient");
+    f.ambient = ambient_light(recorder, f, "ambient");
     f.ambient_sh = ambient;
-    add_ambient(recorder, f);
-    return f;
+    return whole;
 }
 
-void Renderer::Data::add_ambient(gpu::Recorder& recorder, const Frame& frame) const {
-    if (options.environment != EnvironmentMode::ambient || scene.environment.empty()) {
-        recorder.clear(frame.ambient, {});
-        return;
+gpu::Image Renderer::Data::ambient_light(gpu::Recorder& recorder, const Capture& capture,
+                                         const std::string& name) const {
+    const gpu::Image image = recorder.image({.width = capture.width, .height = capture.height}, name);
+    if (options.environment != EnvironmentMode::ambient || scene.environment.empty())
+        recorder.clear(image, {});
+    else
+        recorder.dispatch(
+            "frame/ambient.comp", extent_of(image), ambient,
+            {{"diffuse", capture.gbuffer.diffuse}, {"normal", capture.gbuffer.normal}, {"ambient", image}});
+    return image;
+}
+
+// Farthest first, so that each weakens what is behind it. Nothing that techniques compute is on them.
+void Renderer::Data::lay_over(gpu::Recorder& recorder, const Seen& seen, const gpu::Image& radiance) const {
+    for (std::size_t i = seen.layers.size(); i-- > 0;) {
+        const Capture& layer = seen.layers[i];
+        recorder.dispatch("frame/blend.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+                          {{"base_depth", seen.frame.gbuffer.depth},
+                           {"layer_depth", layer.gbuffer.depth},
+                           {"layer_normal", layer.gbuffer.normal},
+                           {"layer_direct", layer.direct},
+                           {"layer_ambient", ambient_light(recorder, layer, "blended ambient")},
+                           {"radiance", radiance}});
     }
-    recorder.dispatch(
-        "frame/ambient.comp", extent_of(frame.ambient), ambient,
-        {{"diffuse", frame.gbuffer.diffuse}, {"normal", frame.gbuffer.normal}, {"ambient", frame.ambient}});
 }
 
 gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
@@ -231,12 +264,14 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.gpu.reset_memory_peak();
     d.shadows.begin_frame();
     gpu::Recorder recorder(d.gpu);
-    Frame frame = d.make_frame(recorder, request);
+    const Renderer::Data::Seen seen = d.make_frame(recorder, request);
+    const Frame& frame = seen.frame;
     std::vector<Contribution> contributions;
     for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
     const gpu::Image open_share = accessibility_of(contributions);
-    const gpu::Image radiance =
-        d.average(recorder, d.compose(recorder, frame, contributions, open_share), "mean radiance");
+    const gpu::Image composed = d.compose(recorder, frame, contributions, open_share);
+    d.lay_over(recorder, seen, composed);
+    const gpu::Image radiance = d.average(recorder, composed, "mean radiance");
     const gpu::Image accessibility =
         request.accessibility ? d.average(recorder, open_share, "mean accessibility") : gpu::Image();
 
@@ -245,7 +280,13 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.shadows.end_frame();
     result.memory_bytes = d.gpu.memory().peak;
     result.radiance = without_alpha(d.gpu.read(radiance));
-    result.mask = mask_of(d.gpu.read(frame.gbuffer.depth), samples);
+    Image depth = d.gpu.read(frame.gbuffer.depth);
+    if (!seen.layers.empty()) { // the first layer has something wherever any has
+        const Image layer = d.gpu.read(seen.layers.front().gbuffer.depth);
+        for (std::size_t i = 0; i < depth.data.size(); ++i)
+            depth.data[i] = std::max(depth.data[i], layer.data[i]);
+    }
+    result.mask = mask_of(depth, samples);
     if (accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)
         result.images[name] = d.gpu.read(find_image(recorder, name));
