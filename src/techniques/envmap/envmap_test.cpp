@@ -128,7 +128,6 @@ TEST_F(EnvmapTest, GlossyBallInAFurnaceShowsItsReflectance) {
         const shared::ViewParams view = view_params(scene.cameras[0], size, size);
         const Image &light = result.images.at("envmap radiance"), &normal = result.images.at("normal"),
                     &depth = result.images.at("depth");
-        const shared::Brdf b = shared::make_brdf(vec3(0.9f, 0.6f, 0.3f), 1, roughness, 1.5f, 1, vec3(1));
         int seen = 0;
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
@@ -137,6 +136,8 @@ TEST_F(EnvmapTest, GlossyBallInAFurnaceShowsItsReflectance) {
                 const vec3 wo = glm::normalize(view.position -
                                                world_position(view, glm::vec2(x, y) + 0.5f, *depth.at(x, y)));
                 if (glm::dot(n, wo) < 0.1f) continue;
+                const shared::Brdf b = shared::make_brdf_toward(glm::dot(n, wo), vec3(0.9f, 0.6f, 0.3f), 1,
+                                                                roughness, 1.5f, 1, vec3(1));
                 const glm::mat3 frame = shared::frame_around(n);
                 vec3 expected(0);
                 constexpr std::uint32_t count = 4096;
