@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -46,6 +47,18 @@ std::vector<std::pair<std::string, std::string>> parse_values(const std::string&
 CLI::Option* add_cameras_option(CLI::App& command, std::string& file) {
     return command.add_option("--cameras", file,
                               "Camera script, TOML, instead of the scene's cameras; see luxel views");
+}
+
+CLI::Option* add_exposure_option(CLI::App& command, float& exposure) {
+    // Written so that NaN is refused.
+    const auto check = [](const std::string& text) {
+        float value = -1.0f;
+        const bool read = CLI::detail::lexical_cast(text, value);
+        return read && value >= 0.0f && std::isfinite(value) ? std::string()
+                                                             : text + " is no finite number of 0 or above";
+    };
+    return command.add_option("--exposure", exposure, "For .png; 0 = 98th percentile to white")
+        ->check(CLI::Validator(check, "FLOAT:NONNEGATIVE", "exposure"));
 }
 
 std::filesystem::path CacheChoice::path() const {

@@ -23,6 +23,9 @@ Size parse_size(const std::string& text);
 // --cameras FILE.toml.
 CLI::Option* add_cameras_option(CLI::App& command, std::string& file);
 
+// --exposure of a .png.
+CLI::Option* add_exposure_option(CLI::App& command, float& exposure);
+
 // Where truths are kept.
 struct CacheChoice {
     std::string folder;

@@ -3,7 +3,9 @@
 #include <cstdio>
 
 #include "core/error.h"
+#include "experiments/evaluation.h"
 #include "experiments/memory_budget.h"
+#include "experiments/picture_settings.h"
 #include "experiments/technique_rows.h"
 #include "experiments/timing.h"
 #include "experiments/view_choice.h"
@@ -17,49 +19,96 @@ namespace {
 struct Options {
     std::string scene, output, use, size = "640x480", view = "0", cameras, frame, device, image;
     float exposure = 0;
+    int frames = 1;
 };
 
-RenderResult render(const Scene& scene, const Options& o, const FrameOptions& frame, TechniqueRow& row,
-                    gpu::DeviceInfo& device) {
+TechniqueRow row_of(const Options& o) {
+    return o.use.empty() || o.use == baseline_name ? baseline_row() : parse_use(o.use);
+}
+
+struct Rendered {
+    RenderResult last;
+    FrameTime time;
+    gpu::DeviceInfo device;
+    Camera camera;
+};
+
+Rendered render(const Scene& scene, const Options& o, const FrameOptions& frame, TechniqueRow& row) {
     const Size size = parse_size(o.size);
     gpu::Gpu gpu({.device = o.device});
-    device = gpu.device();
+    Rendered out{.device = gpu.device()};
     Renderer renderer(gpu, scene, frame);
+    out.camera = choose_views(scene, {.file = o.cameras, .names = {o.view}})[0];
     RenderRequest request;
-    request.camera = choose_views(scene, {.file = o.cameras, .names = {o.view}})[0];
+    request.camera = out.camera;
     request.width = size.width, request.height = size.height;
     for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
     if (!o.image.empty()) request.images = {o.image};
-    return renderer.render(request);
+
+    // What techniques remember of the warm-up is thrown away with their row.
+    if (o.frames > 1) {
+        std::vector<TechniqueRow> rows;
+        rows.push_back(row_of(o));
+        warm_up(renderer, {out.camera, size.width, size.height}, rows);
+    }
+    std::vector<std::vector<gpu::PassTime>> times;
+    for (int i = 0; i < o.frames; ++i) {
+        out.last = renderer.render(request);
+        times.push_back(out.last.passes);
+    }
+    out.time = median_time(times);
+    return out;
+}
+
+std::string time_sentence(const FrameTime& time, int frames) {
+    if (frames == 1)
+        return fmt::format(
+            "{:.2f} ms of GPU time for a first frame, which may hold compiling (--frames 5 measures)",
+            time.ms);
+    return fmt::format("{:.2f} ms of GPU time, median of {} frames after warm-up ({:.2f} to {:.2f})", time.ms,
+                       frames, time.least, time.most);
 }
 
 void run(const Options& o, const Global& global) {
     const Size size = parse_size(o.size);
     require_memory(size.width, size.height, 0);
-    TechniqueRow row = o.use.empty() || o.use == baseline_name ? baseline_row() : parse_use(o.use);
+    TechniqueRow row = row_of(o);
     FrameOptions frame;
     set_parameters(frame, "--frame", parse_values("--frame", o.frame));
     check_picture_output(o.output);
 
     const Scene scene = load(o.scene, global);
-    gpu::DeviceInfo device;
-    const RenderResult result = render(scene, o, frame, row, device);
+    const Rendered rendered = render(scene, o, frame, row);
+    const RenderResult& result = rendered.last;
     const Image& picture = o.image.empty() ? result.radiance : result.images.at(o.image);
     // Images of another size than the frame's have no mask.
     const bool masked = picture.width == result.mask.width && picture.height == result.mask.height;
     const Image mask = masked ? result.mask : Image(picture.width, picture.height, 1, 1.0f);
-    write_picture(o.output, {{"", picture}, {"mask", mask}}, picture, mask, o.exposure,
-                  {{"luxel.version", LUXEL_VERSION}, {"luxel.scene", o.scene}, {"luxel.use", row.label}});
+    Attributes attributes = attributes_of(scene, o.scene, rendered.camera, &frame);
+    add_frame(attributes, row.label, frame);
+    if (!o.image.empty()) attributes["luxel.image"] = o.image;
+    write_picture(o.output, {{"", picture}, {"mask", mask}}, picture, mask, o.exposure, attributes);
 
-    const FrameTime time = median_time({result.passes});
-    nlohmann::ordered_json json = {{"scene", o.scene},   {"use", row.label},
-                                   {"output", o.output}, {"device", device.name},
-                                   {"ms", time.ms},      {"memory_bytes", result.memory_bytes}};
+    const FrameTime& time = rendered.time;
+    nlohmann::ordered_json json = {{"scene", o.scene},
+                                   {"view", rendered.camera.name},
+                                   {"use", row.label},
+                                   {"output", o.output},
+                                   {"sampling", attributes.at(attribute::sampling)},
+                                   {"device", rendered.device.name},
+                                   {"clock", "gpu"},
+                                   {"frames", o.frames},
+                                   {"warm", o.frames > 1},
+                                   {"ms", time.ms},
+                                   {"ms_least", time.least},
+                                   {"ms_most", time.most},
+                                   {"memory_bytes", result.memory_bytes}};
     json["passes"] = nlohmann::ordered_json::array();
     for (const gpu::PassTime& pass : time.passes)
         json["passes"].push_back({{"name", pass.name}, {"ms", pass.ms}});
     if (global.json) return print_json(json);
-    fmt::print("{}: {} on {}, {:.2f} ms for this first frame\n", o.output, row.label, device.name, time.ms);
+    fmt::print("{}: {} on {}, {}\n", o.output, row.label, rendered.device.name,
+               time_sentence(time, o.frames));
 }
 
 } // namespace
@@ -77,8 +126,13 @@ void add_render(CLI::App& app, const Global& global) {
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
     command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");
     command->add_option("--image", o->image, "Write this intermediate image instead, e.g. depth, normal");
-    command->add_option("--exposure", o->exposure, "For .png; 0 = 98th percentile to white")
-        ->check(CLI::NonNegativeNumber);
+    add_exposure_option(*command, o->exposure);
+    command
+        ->add_option(
+            "--frames", o->frames,
+            "Timed frames, of which the median counts and the last is written; above 1 after warm-up")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
     command->footer("Example: luxel render builtin:cornell --use isr:samples=80 -o picture.png");
     command->callback([o, &global] { run(*o, global); });
 }

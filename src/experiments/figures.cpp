@@ -68,6 +68,7 @@ Figures measure(const Target& target, const Candidate& baseline, const Candidate
 
     Figures f;
     f.delta = best.delta;
+    f.delta_error = noise_free.delta_error;
     f.gain = gain(best.baseline_delta, f.delta);
     f.gain_error = noise_free.gain_error;
     f.rho = std::clamp(best.rho, -1.0, 1.0);
@@ -89,11 +90,13 @@ Figures mean_of(const std::vector<Figures>& figures) {
                                             &Figures::rmse,     &Figures::relmse, &Figures::psnr,
                                             &Figures::ssim,     &Figures::flip};
     Figures mean;
-    double squares = 0; // the views' errors are independent
+    double squares = 0, delta_squares = 0; // the views' errors are independent
     for (const Figures& f : figures) {
         for (double Figures::*member : members) mean.*member += f.*member / double(figures.size());
         squares += f.gain_error * f.gain_error;
+        delta_squares += f.delta_error * f.delta_error;
     }
+    mean.delta_error = std::sqrt(delta_squares) / double(figures.size());
     mean.gain_error = std::sqrt(squares) / double(figures.size());
     return mean;
 }

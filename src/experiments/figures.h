@@ -12,12 +12,13 @@
 namespace luxel {
 
 struct Figures {
-    double delta = 0;      // mean absolute error of display values
-    double gain = 0;       // percent of the baseline's delta that is gone
-    double gain_error = 0; // standard error of the gain that the truth's noise leaves, percent
-    double rho = 0;        // correlation of luminance
-    double improved = 0;   // share of pixels closer than the baseline's, in [0, 1]
-    double tied = 0;       // share of pixels as close as the baseline's
+    double delta = 0;       // mean absolute error of display values
+    double delta_error = 0; // standard error of it that the truth's noise leaves
+    double gain = 0;        // percent of the baseline's delta that is gone
+    double gain_error = 0;  // standard error of the gain that the truth's noise leaves, percent
+    double rho = 0;         // correlation of luminance
+    double improved = 0;    // share of pixels closer than the baseline's, in [0, 1]
+    double tied = 0;        // share of pixels as close as the baseline's
     double quality = 0; // 1 closer than the baseline, -1 farther, 0 the same; a mean over views lies between
     double rmse = 0, relmse = 0;
     double psnr = 0; // dB; infinity for equal images

@@ -44,22 +44,31 @@ BiasedFigures mean_of(const std::vector<BiasedFigures>& figures) {
 }
 
 double gain_of(const BiasedFigures& f) { return gain(f.baseline_delta, f.delta); }
+double delta_of(const BiasedFigures& f) { return f.delta; }
 
-// Squared standard error of the gain: the groups are independent, so the scatter of their gains tells that of
-// the mean.
-double variance_of_gain(const std::vector<BiasedFigures>& groups) {
+// From all of the samples, and two steps on.
+struct Extrapolation {
+    BiasedFigures all, first_order, second_order;
+};
+
+// Standard error of one figure. The groups are independent, so the scatter of what they say tells that of the
+// mean. What the second order moves counts as uncertain, and so does a quarter of the whole way, for the
+// terms that three points cannot tell.
+double standard_error(double (*figure)(const BiasedFigures&), const std::vector<BiasedFigures>& groups,
+                      const Extrapolation& e) {
     const double n = double(groups.size());
     double mean = 0.0, squares = 0.0;
-    for (const BiasedFigures& f : groups) mean += gain_of(f) / n;
-    for (const BiasedFigures& f : groups) squares += (gain_of(f) - mean) * (gain_of(f) - mean);
-    return squares / (n * (n - 1.0));
+    for (const BiasedFigures& f : groups) mean += figure(f) / n;
+    for (const BiasedFigures& f : groups) squares += (figure(f) - mean) * (figure(f) - mean);
+    const double second = figure(e.second_order) - figure(e.first_order),
+                 higher = (figure(e.second_order) - figure(e.all)) / 4.0;
+    return std::sqrt(squares / (n * (n - 1.0)) + second * second + higher * higher);
 }
 
 } // namespace
 
 // Bias falls as a/n + b/n^2 with the samples n: figures from all, half and a quarter of them tell both terms,
-// and where they lead as n grows [Quenouille1956]. What the second order moves counts as uncertain, and so
-// does a quarter of the whole way, for the terms that three points cannot tell.
+// and where they lead as n grows [Quenouille1956].
 NoiseFree noise_free_figures(const Target& target, const Candidate& baseline, const Candidate& candidate) {
     const auto against_each = [&](const std::vector<Candidate>& truths) {
         std::vector<BiasedFigures> figures(truths.size());
@@ -69,15 +78,15 @@ NoiseFree noise_free_figures(const Target& target, const Candidate& baseline, co
         return figures;
     };
     const BiasedFigures all = against({target.radiance, target.shown}, target.mask, baseline, candidate);
-    if (target.quarters.empty()) return {all, 0.0};
+    if (target.quarters.empty()) return {all, 0.0, 0.0};
     const std::vector<BiasedFigures> groups = against_each(target.quarters);
     const BiasedFigures halves = mean_of(against_each(target.halves)), quarters = mean_of(groups);
 
     const BiasedFigures first_order = combination(all, 2.0, halves, -1.0, quarters, 0.0);
     const BiasedFigures second_order = combination(all, 8.0 / 3.0, halves, -2.0, quarters, 1.0 / 3.0);
-    const double second = gain_of(second_order) - gain_of(first_order),
-                 higher = (gain_of(second_order) - gain_of(all)) / 4.0;
-    return {second_order, std::sqrt(variance_of_gain(groups) + second * second + higher * higher)};
+    const Extrapolation extrapolation = {all, first_order, second_order};
+    return {second_order, standard_error(gain_of, groups, extrapolation),
+            standard_error(delta_of, groups, extrapolation)};
 }
 
 } // namespace luxel

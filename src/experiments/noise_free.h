@@ -13,7 +13,8 @@ struct BiasedFigures {
 
 struct NoiseFree {
     BiasedFigures figures;
-    double gain_error = 0; // standard error of the gain, percent
+    double gain_error = 0;  // standard error of the gain, percent
+    double delta_error = 0; // and of delta
 };
 
 // Extrapolated from all, half and a quarter of the target's samples. Not clamped: a share may leave [0, 1]

@@ -10,10 +10,12 @@
 #include "core/metrics.h"
 #include "experiments/json_text.h"
 #include "experiments/page_pictures.h"
+#include "experiments/picture_settings.h"
 #include "experiments/pictures.h"
 #include "experiments/report.h"
 #include "experiments/results_csv.h"
 #include "experiments/results_json.h"
+#include "reference/estimate_io.h"
 
 namespace luxel {
 
@@ -24,8 +26,9 @@ constexpr int large_width = 640;
 constexpr int photo_quality = 88, map_quality = 80, small_quality = 75;
 
 std::map<std::string, std::string> exr_metadata(const ViewPictures& p, const std::string& what) {
-    return {{"luxel.version", LUXEL_VERSION},
-            {"luxel.view", p.result.camera.name},
+    return {{attribute::version, LUXEL_VERSION},
+            {attribute::view, p.result.camera.name},
+            {attribute::camera, camera_text(p.result.camera)},
             {"luxel.image", what},
             {"luxel.exposure", fmt::format("{}", p.target.exposure)}};
 }
@@ -46,8 +49,13 @@ PictureFiles::PictureFiles(std::filesystem::path folder, const Experiment& exper
 
 void PictureFiles::write(const std::filesystem::path& folder, const ViewPictures& p) const {
     std::filesystem::create_directories(folder);
-    write_exr(folder / "reference.exr", {{"", p.target.radiance}, {"mask", p.target.mask}},
-              exr_metadata(p, "reference"));
+    // With its groups of samples, so that diff takes its noise out as evaluation does.
+    Layers reference = {{"", p.target.radiance}, {"mask", p.target.mask}};
+    for (std::size_t g = 0; g < p.target.quarters.size(); ++g)
+        reference[group_layer("", int(g))] = p.target.quarters[g].radiance;
+    std::map<std::string, std::string> metadata = exr_metadata(p, "reference");
+    metadata[attribute::spp] = fmt::format("{}", p.result.reference_spp);
+    write_exr(folder / "reference.exr", reference, metadata);
     write_png(folder / "reference.png", p.target.shown);
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
         const Image& shown = p.rows[i].shown;

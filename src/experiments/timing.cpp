@@ -31,6 +31,8 @@ FrameTime median_time(const std::vector<std::vector<gpu::PassTime>>& frames) {
         sums.push_back(sum);
     }
     time.ms = median(sums);
+    const auto [least, most] = std::minmax_element(sums.begin(), sums.end());
+    time.least = *least, time.most = *most;
     for (std::size_t i = 0; i < frames[0].size(); ++i) {
         std::vector<double> values;
         for (const auto& frame : frames) values.push_back(frame[i].ms);
@@ -43,6 +45,7 @@ FrameTime mean_time(const std::vector<FrameTime>& times) {
     FrameTime mean;
     for (const FrameTime& time : times) {
         mean.ms += time.ms / double(times.size());
+        mean.least += time.least / double(times.size()), mean.most += time.most / double(times.size());
         // The n-th pass of a name adds to the n-th entry of that name.
         std::vector<bool> used(mean.passes.size(), false);
         for (const gpu::PassTime& pass : time.passes) {

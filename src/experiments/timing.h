@@ -12,6 +12,7 @@ namespace luxel {
 struct FrameTime {
     double ms = 0;                     // median over frames of the sum of the passes
     std::vector<gpu::PassTime> passes; // median of each pass; their sum need not be ms
+    double least = 0, most = 0;        // over frames, of the sum of the passes
 };
 
 // Frames have the same passes in the same order.

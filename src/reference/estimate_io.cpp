@@ -8,10 +8,6 @@
 namespace luxel {
 namespace {
 
-std::string group_layer(const std::string& component, int group) {
-    return fmt::format("{}.group{}", component, group);
-}
-
 constexpr const char* spp_attribute = "luxel.spp";
 
 int parse_spp(const std::string& text) {
@@ -22,8 +18,11 @@ int parse_spp(const std::string& text) {
 
 } // namespace
 
-void write_estimate(const std::filesystem::path& file, const Estimate& estimate,
-                    const std::map<std::string, std::string>& metadata) {
+std::string group_layer(const std::string& component, int group) {
+    return fmt::format("{}{}group{}", component, component.empty() ? "" : ".", group);
+}
+
+Layers layers_of(const Estimate& estimate) {
     Layers layers;
     for (const auto& [name, mean] : estimate.mean) {
         layers[name] = mean;
@@ -32,9 +31,14 @@ void write_estimate(const std::filesystem::path& file, const Estimate& estimate,
             layers[group_layer(name, g)] = estimate.group[std::size_t(g)].at(name);
     }
     layers["mask"] = estimate.mask;
+    return layers;
+}
+
+void write_estimate(const std::filesystem::path& file, const Estimate& estimate,
+                    const std::map<std::string, std::string>& metadata) {
     std::map<std::string, std::string> attributes = metadata;
     attributes[spp_attribute] = std::to_string(estimate.spp);
-    write_exr(file, layers, attributes);
+    write_exr(file, layers_of(estimate), attributes);
 }
 
 StoredEstimate read_estimate(const std::filesystem::path& file) {

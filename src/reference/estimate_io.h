@@ -11,6 +11,11 @@
 
 namespace luxel {
 
+// The layers of such a file.
+Layers layers_of(const Estimate& estimate);
+// The name of the layer of a group of samples of a component; "" = of an image that has no name.
+std::string group_layer(const std::string& component, int group);
+
 // metadata: further string attributes, for instance a content key to find the file by.
 void write_estimate(const std::filesystem::path& file, const Estimate& estimate,
                     const std::map<std::string, std::string>& metadata = {});
