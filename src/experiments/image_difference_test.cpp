@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/file.h"
 #include "core/image_io.h"
 #include "experiments/image_difference.h"
 
@@ -67,6 +68,25 @@ TEST_F(ImageDifference, NamesAlpha) {
     EXPECT_EQ(of_exr.alpha.differing, 8u);
     EXPECT_EQ(difference(file("a.exr"), exr("c.exr", {{"", Image(8, 8, 3, 1.0f)}}), {}, "").alpha.differing,
               0u);
+}
+
+// Two gray pictures of 2 x 2 pixels with 16 bits a channel, 0x8000 and 0x8001.
+const std::vector<std::uint8_t> wide_gray = {
+    137, 80, 78, 71, 13, 10, 26, 10,  0,   0,  0,   13, 73, 72, 68, 82, 0,  0,   0,   2,  0,   0,  0,   2,
+    16,  0,  0,  0,  0,  7,  77, 142, 187, 0,  0,   0,  15, 73, 68, 65, 84, 120, 156, 99, 104, 96, 104, 96,
+    96,  0,  17, 0,  11, 10, 2,  1,   236, 41, 191, 24, 0,  0,  0,  0,  73, 69,  78,  68, 174, 66, 96,  130};
+const std::vector<std::uint8_t> wide_gray_above = {
+    137, 80, 78, 71, 13, 10, 26, 10,  0,   0,  0,  13, 73, 72, 68, 82, 0,  0,   0,   2,  0,   0,  0,   2,
+    16,  0,  0,  0,  0,  7,  77, 142, 187, 0,  0,  0,  15, 73, 68, 65, 84, 120, 156, 99, 104, 96, 108, 96,
+    100, 0,  17, 0,  11, 28, 2,  5,   126, 78, 10, 67, 0,  0,  0,  0,  73, 69,  78,  68, 174, 66, 96,  130};
+
+TEST_F(ImageDifference, LooksAtAllBitsOrSaysThatItDoesNot) {
+    write_file(file("a.png"), wide_gray), write_file(file("b.png"), wide_gray_above);
+    const Difference d = difference(file("a.png"), file("b.png"), {}, "");
+    EXPECT_TRUE(d.figures.delta > 0.0 || says(d, "16 bits"));
+    if (d.figures.delta > 0.0) {
+        EXPECT_NEAR(d.figures.delta, 1.0 / 65535.0, 1e-7);
+    }
 }
 
 TEST_F(ImageDifference, CountsWhatIsNotFinite) {
