@@ -216,6 +216,7 @@ TEST(ClosedForms, PartialTransmissionSharesTheSurface) {
     Scene scene;
     Material m = lambertian(glm::vec3(0.8f));
     m.transmission = 0.5f;
+    m.roughness = 0.0f;
     m.ior = 1.0f; // the sheet itself reflects nothing
     add_floor(scene, m);
     set_uniform_environment(scene, glm::vec3(1.0f));

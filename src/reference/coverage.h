@@ -15,4 +15,10 @@ void go_behind(Ray& ray, const Hit& hit, const Surface& surface);
 // `passed` is not 0, and then `ray` begins behind them, so far from where it began.
 bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed);
 
+// Whether the scene has any that are blended.
+bool has_blended(const Scene& scene);
+
+// Share of the light that gets along the ray past them; RayCaster::occluded knows of all others.
+float uncovered(const RayCaster& rays, const Ray& ray);
+
 } // namespace luxel

@@ -30,7 +30,9 @@ LightSampler::LightSampler(const Scene& scene)
         double p = double(luminance(t.emission)) * double(t.area) * (t.two_sided ? 2.0 : 1.0);
         if (!(p > 0.0)) continue;
         const Mesh& mesh = scene.meshes[std::size_t(scene.instances[std::size_t(t.instance)].mesh)];
-        bool textured = scene.materials[std::size_t(mesh.material)].emission_texture.texture >= 0;
+        const Material& material = scene.materials[std::size_t(mesh.material)];
+        const bool textured =
+            material.emission_texture.texture >= 0 || material.alpha_mode == AlphaMode::blend;
         glm::vec3 largest = glm::max(glm::max(glm::abs(t.a), glm::abs(t.b)), glm::abs(t.c));
         emitters_.push_back(
             {t, 0.0f, clearance(std::max(std::max(largest.x, largest.y), largest.z)), textured});

@@ -57,6 +57,48 @@ TEST(Coverage, FilmsOccludeTheirShare) {
                 1.0 - 0.25 * (1.0 - 0.16), 0.02);
 }
 
+// Through a film of coverage .3 come .7 of a lamp's, an emitter's and the sky's light, whichever finds it.
+TEST(Coverage, FilmsShadowTheirShare) {
+    for (int light = 0; light < 3; ++light) {
+        const auto lit = [&](bool with_film) {
+            Scene scene;
+            add_floor(scene, lambertian(glm::vec3(0.8f)), 1.0f);
+            if (light == 0) {
+                shared::Light lamp{};
+                lamp.type = shared::LIGHT_POINT;
+                lamp.position = {0.2f, 3, 0};
+                lamp.intensity = glm::vec3(5);
+                scene.lights = {lamp};
+            }
+            if (light == 1)
+                add_object(scene, lambertian(glm::vec3(0), glm::vec3(4)), {-0.5f, 3, -0.5f}, {1, 0, 0},
+                           {0, 0, 1});
+            if (light == 2) set_uniform_environment(scene, glm::vec3(1));
+            if (with_film) add_object(scene, film(0.3f), {-500, 1, -500}, {1000, 0, 0}, {0, 0, 1000});
+            return seen(scene, request_for({"direct"}, camera_on({0.2f, 0.8f, 0.1f}, {0, 0, 0}), 16, 256),
+                        "direct");
+        };
+        const Measured open = lit(false), covered = lit(true);
+        EXPECT_NEAR(covered.mean, 0.7 * open.mean, z_999 * std::hypot(covered.error, open.error) + 1e-5)
+            << light;
+        EXPECT_LT(covered.error, 0.005 * covered.mean) << light;
+    }
+}
+
+// An emitter that is itself blended sends its coverage, by light samples and by paths that meet it.
+TEST(Coverage, BlendedEmittersShineByTheirShare) {
+    const auto lit = [&](float alpha) {
+        Scene scene;
+        add_floor(scene, lambertian(glm::vec3(0.8f)), 1.0f);
+        add_object(scene, film(alpha, glm::vec3(4)), {-0.5f, 0.7f, -0.5f}, {1, 0, 0}, {0, 0, 1});
+        return seen(scene, request_for({"direct"}, camera_on({0.8f, 0.4f, 0.1f}, {0, 0, 0}), 16, 256),
+                    "direct");
+    };
+    const Measured whole = lit(1.0f), part = lit(0.4f);
+    EXPECT_NEAR(part.mean, 0.4 * whole.mean, z_999 * std::hypot(part.error, whole.error));
+    EXPECT_LT(part.error, 0.01 * part.mean);
+}
+
 TEST(Coverage, NothingAndAllAreExact) {
     for (float alpha : {0.0f, 1.0f}) {
         Scene scene;

@@ -2,6 +2,7 @@
 // Light at a vertex: samples of the lights, and the weight of emission that a path meets by itself.
 #include <cmath>
 
+#include "reference/coverage.h"
 #include "reference/path_tracer.h"
 
 namespace luxel {
@@ -71,8 +72,9 @@ BsdfValue PathTracer::visible_light(const ShadingPoint& point, const LightSample
     for (std::size_t i = 0; i < samples.count; ++i) {
         const LightSamples::Sample& s = samples.samples[i];
         if (occluded(point, s.light)) continue;
-        sum.diffuse += s.reflected.diffuse;
-        sum.specular += s.reflected.specular;
+        const float past = blended_ ? uncovered(*rays_, shadow_ray(point, s.light)) : 1.0f;
+        sum.diffuse += past * s.reflected.diffuse;
+        sum.specular += past * s.reflected.specular;
     }
     return sum;
 }

@@ -36,7 +36,7 @@ WantedComponents::WantedComponents(const std::vector<std::string>& names, Causti
 
 PathTracer::PathTracer(const RayCaster& rays, const ReferenceRequest& request,
                        const PathTracerOptions& options)
-    : rays_(&rays), scene_(&rays.scene()), settings_(request.settings),
+    : rays_(&rays), scene_(&rays.scene()), blended_(has_blended(rays.scene())), settings_(request.settings),
       wanted_(request.components, request.settings.caustic_method), options_(options), lights_(rays.scene()),
       camera_(camera_basis(request.camera, request.width, request.height)), near_(request.camera.near),
       far_(request.camera.far), width_(request.width), height_(request.height) {}

@@ -182,6 +182,7 @@ private:
 
     const RayCaster* rays_;
     const Scene* scene_;
+    bool blended_; // the scene has surfaces that leave a share of the light to pass
     ReferenceSettings settings_;
     WantedComponents wanted_;
     PathTracerOptions options_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "reference/coverage.h"
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -38,7 +39,7 @@ glm::vec2 on_triangle(glm::vec2 u) {
 
 PhotonSource::PhotonSource(const RayCaster& rays, float specular_roughness, bool only_punctual)
     : rays_(&rays), scene_(&rays.scene()), specular_roughness_(specular_roughness),
-      only_punctual_(only_punctual), lights_(rays.scene()) {
+      only_punctual_(only_punctual), lights_(rays.scene()), blended_(has_blended(rays.scene())) {
     find_targets();
     const auto kinds = kinds_there();
     if (std::none_of(kinds.begin(), kinds.end(), [](bool there) { return there; })) targets_.clear();
@@ -212,6 +213,8 @@ std::optional<PhotonPath> PhotonSource::start(Random& random) const {
         path.power *= path.media.transmittance(glm::length(light.target - surface.position), &surface);
     const ShadingPoint point(surface, -light.wi);
     if (rays_->occluded(shadow_ray(point, light))) return std::nullopt;
+    if (blended_) path.power *= uncovered(*rays_, shadow_ray(point, light));
+    if (path.power == glm::vec3(0.0f)) return std::nullopt;
     if (!scatter_photon(path, surface, specular_roughness_, random)) return std::nullopt;
     return path;
 }

@@ -62,6 +62,7 @@ private:
     float specular_roughness_;
     bool only_punctual_;
     LightSampler lights_;
+    bool blended_;
     std::vector<Target> targets_;
     std::vector<double> cumulative_; // chances up to and with target i
     std::array<float, kind_count> kind_chance_{};

@@ -31,6 +31,11 @@ void reject_transparent(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+// What is blended holds back a share of the light, which is not for a yes or no to say.
+void reject_all(const RTCFilterFunctionNArguments* arguments) {
+    for (unsigned i = 0; i < arguments->N; ++i) arguments->valid[i] = 0;
+}
+
 RTCRay embree_ray(const Ray& ray) {
     RTCRay r;
     r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
@@ -92,7 +97,8 @@ void RayCaster::Data::add(std::uint32_t index) {
         masked[index] = {scene, index};
         rtcSetGeometryUserData(geometry, &masked[index]);
         rtcSetGeometryIntersectFilterFunction(geometry, reject_transparent);
-        rtcSetGeometryOccludedFilterFunction(geometry, reject_transparent);
+        const bool blended = scene->materials[std::size_t(mesh.material)].alpha_mode == AlphaMode::blend;
+        rtcSetGeometryOccludedFilterFunction(geometry, blended ? reject_all : reject_transparent);
     }
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
     rtcCommitGeometry(geometry);

@@ -197,7 +197,9 @@ glm::vec4 sample_texture(const Texture& texture, glm::vec2 uv) { return filter(f
 glm::vec3 emission_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, glm::vec2 uv) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
-    return material.emission *
+    const float met =
+        material.alpha_mode == AlphaMode::blend ? coverage_at(scene, instance, triangle, uv) : 1.0f;
+    return material.emission * met *
            glm::vec3(look_up(scene, mesh, triangle, weights_of(uv), material.emission_texture));
 }
 

@@ -27,5 +27,26 @@ LUXEL_FN Coat make_coat(float share, float roughness, float cos_o, float multipl
     return c;
 }
 
+// A coated surface by one specular lobe, for whoever has room for one only: the coat's over dielectrics, the
+// lobe below over metals, between them in proportion. It reflects of uniform light what both together do,
+// except that the lobe below a coat over a dielectric moves to the diffuse lobe. below: toward cos_o, as it
+// is without a coat.
+LUXEL_FN Brdf coated_by_one_lobe(Brdf below, Coat coat, float share, float metallic, float cos_o) {
+    float moved = share * (1.0f - metallic);
+    vec3 of_below =
+        reflectance_of(below.f0, below.f90.x, ggx_directional_albedo(cos_o, below.alpha)) * coat.passes;
+    Brdf b;
+    b.alpha = mix(below.alpha, coat.lobe.alpha, moved);
+    b.diffuse = below.diffuse * coat.passes + of_below * moved;
+    vec3 left = of_below * (1.0f - moved) + vec3(1.0f - coat.passes);
+    vec3 f0 = mix(below.f0, vec3(0.04f), moved);
+    float f90 = mix(below.f90.x, 1.0f, moved);
+    vec3 before = max(reflectance_of(f0, f90, ggx_directional_albedo(cos_o, b.alpha)), vec3(1e-6f));
+    vec3 scale = left / before;
+    b.f0 = f0 * scale;
+    b.f90 = vec3(f90 * dot(scale, vec3(0.2126f, 0.7152f, 0.0722f)));
+    return b;
+}
+
 LUXEL_END
 #endif

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "shared/brdf.h"
+#include "shared/clearcoat.h"
 #include "shared/sampling.h"
 
 namespace luxel::shared {
@@ -85,6 +85,31 @@ TEST(Energy, ColoredSurfacesShowAtMostAllAndNoLessThanWithOneScattering) {
                     EXPECT_GE(lobe[k], lobe_once[k] - 1e-5f);
                 }
             }
+}
+
+TEST(Energy, CoatsLeaveWhiteSurfacesWhite) {
+    for (float metallic : {0.0f, 0.4f, 1.0f})
+        for (float share : {0.0f, 0.5f, 1.0f})
+            for (float coat_roughness : {0.0f, 0.3f, 1.0f})
+                for (float roughness : {0.1f, 0.6f})
+                    for (float c : cosines) {
+                        const Brdf below =
+                            make_brdf_toward(c, vec3(1), metallic, roughness, 1.5f, 1.0f, vec3(1));
+                        const Coat coat = make_coat(share, coat_roughness, c, 1.0f);
+                        const Brdf one = coated_by_one_lobe(below, coat, share, metallic, c);
+                        const double two_lobes =
+                            double(coat.passes) *
+                                (double(below.diffuse.x) +
+                                 double(specular_furnace(below, up, up, at_cosine(c), 1024).x)) +
+                            double(specular_furnace(coat.lobe, up, up, at_cosine(c), 1024).x);
+                        EXPECT_NEAR(two_lobes, 1.0, 0.012) << "coat " << share << ", cosine " << c;
+                        EXPECT_NEAR(one.diffuse.x + specular_furnace(one, up, up, at_cosine(c), 1024).x, 1.0f,
+                                    0.015f)
+                            << "coat " << share << ", cosine " << c;
+                        if (share > 0.0f) continue;
+                        EXPECT_NEAR(one.f0.x, below.f0.x, 1e-5f) << "without a coat nothing changes";
+                        EXPECT_NEAR(one.diffuse.x, below.diffuse.x, 1e-5f);
+                    }
 }
 
 // The diffuse lobe's mean over the views is about what the older model gives it from everywhere.

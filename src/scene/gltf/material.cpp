@@ -103,7 +103,8 @@ void read_dielectric(TextureTable& textures, const Value& extensions, Material& 
 // Extensions whose absence shows, and what frames cannot draw.
 void warn_of_missing_looks(Document& document, const Value& extensions, const Material& m) {
     if (m.clearcoat > 0.0f)
-        document.warn("a clear coat is in the reference alone; frames draw what is below it");
+        document.warn(
+            "frames draw a clear coat and what is below it as one lobe, without the coat's textures");
     if (m.transmission > 0.0f && m.roughness > shared::SMOOTH_ROUGHNESS &&
         m.metallic_roughness_texture.texture < 0)
         document.warn("light that passes rough glass is in the reference alone; frames leave it out");

@@ -8,7 +8,10 @@ namespace {
 
 // Shares of the sides that are left out, see gbuffer_fragment.glsl.
 shared::PeelParams peel_params(const Capture& capture, const CaptureRequest& request) {
-    shared::PeelParams p{.view = capture.view, .blended = request.blended ? 1.0f : 0.0f};
+    shared::PeelParams p{.view = capture.view,
+                         .blended = !request.blended       ? 0.0f
+                                    : request.farther_than ? 2.0f
+                                                           : 1.0f};
     const Sides sides = request.sides;
     if (sides == Sides::standard) p.drop_solid_back = 1.0f;
     if (sides == Sides::front) p.drop_back = 1.0f;

@@ -2,7 +2,7 @@
 // The surface under the pixel's center, as surface_at in scene/surface.cpp finds it. TEXTURES is
 // TEXTURES_NONE, TEXTURES_COMMON (those of core glTF, filtered by the sampler) or TEXTURES_ALL. DISPLACED: it
 // lies behind the polygon, by the material's height map.
-#include "shared/brdf.h"
+#include "shared/clearcoat.h"
 #include "techniques/frame/material.glsl"
 #include "techniques/frame/view_params.h"
 
@@ -110,6 +110,7 @@ void main() {
         transmission *= look_up(transmission_texture, m.transmission_texture, uv.xy, uv.zw).r;
 #endif
     transmission *= 1.0 - metallic;
+
     // Normals, on the camera's side. A normal map says the relief's shading normals, too.
     vec3 shading = shading_normal(geometric * side) * side, to_eye = -normalize(along);
 #ifdef DISPLACED
@@ -123,12 +124,20 @@ void main() {
 
     Brdf single = make_brdf(base.rgb, metallic, roughness, m.ior, specular, specular_color);
     Brdf multiple = make_brdf_toward(dot(n, to_eye), base.rgb, metallic, roughness, m.ior, specular, specular_color);
-    Brdf brdf = scale_brdf(mix_brdf(single, multiple, m.multiple_scattering), 1.0 - transmission);
+    Brdf lobes = mix_brdf(single, multiple, m.multiple_scattering);
+    float lobe_roughness = roughness;
+    if (m.clearcoat > 0.0) {
+        float cos_o = dot(n, to_eye);
+        Coat coat = make_coat(m.clearcoat, m.clearcoat_roughness, cos_o, m.multiple_scattering);
+        lobes = coated_by_one_lobe(lobes, coat, m.clearcoat, metallic, cos_o);
+        lobe_roughness = sqrt(lobes.alpha);
+    }
+    Brdf brdf = scale_brdf(lobes, 1.0 - transmission);
 
-    out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(roughness, MIRROR_ROUGHNESS));
+    out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(lobe_roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);
 #ifdef PEEL
-    float layer = p.blended;
+    float layer = min(p.blended, 1.0);
 #else
     const float layer = 0.0;
 #endif
@@ -148,7 +157,8 @@ void main() {
     bool part = m.blended > 0.5 && !whole && base.a > 1.0 - WHOLE_COVERAGE;
     if (!(layer > 0.5 ? part : whole) || z > view.far) discard;
 #ifdef PEEL
-    if (z <= texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r) discard;
+    float before = texelFetch(farther_than, ivec2(gl_FragCoord.xy), 0).r;
+    if (z <= before || (p.blended > 1.5 && before <= 0.0)) discard;
     float solid = m.double_sided == 0u ? 1.0 : 0.0;
     if ((front ? p.drop_front : p.drop_back + p.drop_solid_back * solid) > 0.5) discard;
 #endif

@@ -111,6 +111,7 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m, bo
         r.*slot.record = texture_record(scene, m.*slot.use, mipmaps);
     r.height_texture = texture_record(scene, m.height_texture, mipmaps);
     r.height_scale = m.height_scale;
+    r.clearcoat = m.clearcoat, r.clearcoat_roughness = m.clearcoat_roughness;
     r.multiple_scattering = scene.brdf == BrdfModel::multiple ? 1.0f : 0.0f;
     return r;
 }

@@ -49,6 +49,7 @@ struct MaterialRecord {
         specular_texture, specular_color_texture, transmission_texture, height_texture;
     float height_scale;        // meters
     float multiple_scattering; // BrdfModel: 1 = multiple, 0 = single
+    float clearcoat, clearcoat_roughness;
 };
 
 // What covers more of its pixel than this covers all of it, what covers less than 1 minus this covers

@@ -11,7 +11,9 @@ struct PeelParams {
     ViewParams view;
     float drop_front, drop_back;
     float drop_solid_back; // of single-sided surfaces
-    float blended;         // 1: only what covers a part of its pixel, 0: only what covers all of it
+    // 1: only what covers a part of its pixel, 0: only what covers all of it. 2: as 1, and nothing where
+    // farther_than has nothing: the layer before was the last.
+    float blended;
 };
 
 LUXEL_END

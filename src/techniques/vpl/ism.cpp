@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "scene/surface.h"
+#include "shared/random.h"
 
 namespace luxel {
 
@@ -68,7 +69,8 @@ IsmPoints ism_points(gpu::Gpu& gpu, const Scene& scene, const IsmOptions& option
             const glm::dvec2 u = glm::fract(double(place) * glm::dvec2(0.7548776662467, 0.5698402909980) +
                                             double(set) * 0.6180339887499); // [Roberts2018]
             const glm::vec2 uv = on_triangle(glm::vec2(u));
-            if (is_transparent(scene, t.instance, t.index, uv)) continue;
+            const float draw = shared::uniform_float(shared::hash2(shared::uint(next), 77u));
+            if (draw >= coverage_at(scene, t.instance, t.index, uv)) continue;
             const glm::vec3 *c = t.corners, a = c[1] - c[0], b = c[2] - c[0];
             points[set * std::size_t(result.count) + place] = {c[0] + a * uv.x + b * uv.y, t.instance,
                                                                glm::cross(a, b)};
