@@ -17,7 +17,7 @@ Format format_of(std::span<const std::uint8_t> bytes) {
     };
     if (starts("\x76\x2f\x31\x01")) return Format::exr;
     if (starts("\x89PNG\r\n\x1a\n")) return Format::png;
-    if (starts("\xff\xd8\xff")) return Format::jpeg;
+    if (starts("\xff\xd8")) return Format::jpeg;
     if (starts("#?")) return Format::radiance;
     return Format::unknown;
 }

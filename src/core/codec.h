@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The decoders of untrusted image bytes. They run in the decoding process only (decode_process.h), except the
-// Radiance reader, which is our own. Errors carry the reason alone; the caller puts the file's name before
-// it.
+// The decoders of untrusted image bytes. They run in the decoding process only (decode_process.h).
+// Errors carry the reason alone; the caller puts the file's name before it.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -18,15 +17,19 @@ enum class Format { exr, radiance, png, jpeg, unknown };
 Format format_of(std::span<const std::uint8_t> bytes);
 
 ExrFile decode_exr(std::span<const std::uint8_t> bytes);
-Pixels8 decode_png(std::span<const std::uint8_t> bytes);
-Pixels8 decode_jpeg(std::span<const std::uint8_t> bytes);
+Pixels decode_png(std::span<const std::uint8_t> bytes);
+Pixels decode_jpeg(std::span<const std::uint8_t> bytes);
 Image decode_radiance(std::span<const std::uint8_t> bytes);
 
 // Error Fault::bad_input unless 1 <= side <= max_image_side and all of it fits in max_decoded_bytes.
 void check_size(std::uint64_t width, std::uint64_t height, std::uint64_t bytes_per_pixel);
 
-// The header of an EXR file by our own bounds-checked reader: single part, flat, scan lines or one tile
-// level, unsubsampled channels, a size within the limits. Error Fault::bad_input otherwise.
-void check_exr_header(std::span<const std::uint8_t> bytes);
+// The header of an EXR file by our own bounds-checked reader: flat, scan lines or one tile level,
+// unsubsampled channels, windows within the limits; the same for every part. Error Fault::bad_input
+// otherwise.
+struct ExrHeader {
+    int parts = 1;
+};
+ExrHeader check_exr_header(std::span<const std::uint8_t> bytes);
 
 } // namespace luxel::codec

@@ -13,6 +13,7 @@ namespace luxel::codec {
 namespace {
 
 constexpr std::size_t max_channels = 256;
+constexpr int max_parts = 65;
 
 // Reads little-endian values; every read is checked.
 class Reader {
@@ -54,6 +55,9 @@ std::size_t check_channels(Reader reader) {
         reader.take(4); // pLinear, reserved
         const std::int64_t x_sampling = reader.integer(), y_sampling = reader.integer();
         if (type > 2) fail(Fault::bad_input, "EXR channel {} has the unknown type {}", name, type);
+        if ((x_sampling != 1 || y_sampling != 1) && (name.ends_with("RY") || name.ends_with("BY")))
+            fail(Fault::bad_input,
+                 "EXR in luminance and chroma (channel {}) is not supported; convert it to RGB", name);
         if (x_sampling != 1 || y_sampling != 1)
             fail(Fault::bad_input, "EXR channel {} is subsampled, which is not supported", name);
         if (++count > max_channels) fail(Fault::bad_input, "more than {} EXR channels", max_channels);
@@ -70,18 +74,18 @@ void check_tiles(Reader reader) {
     if ((mode & 15) != 0) fail(Fault::bad_input, "EXR tiles with several levels are not supported");
 }
 
-} // namespace
+using Size = std::pair<std::uint64_t, std::uint64_t>;
 
-void check_exr_header(std::span<const std::uint8_t> bytes) {
-    Reader reader(bytes);
-    if (reader.word() != 20000630) fail(Fault::bad_input, "not an EXR file");
-    const std::uint32_t version = reader.word();
-    if ((version & 0xff) != 2) fail(Fault::bad_input, "EXR version {} is not supported", version & 0xff);
-    if (version & 0x1000) fail(Fault::bad_input, "multi-part EXR is not supported");
-    if (version & 0x800) fail(Fault::bad_input, "deep EXR is not supported");
+Size check_window(Reader box, const char* which) {
+    const std::int64_t x0 = box.integer(), y0 = box.integer(), x1 = box.integer(), y1 = box.integer();
+    if (x1 < x0 || y1 < y0) fail(Fault::bad_input, "the EXR {} window is empty", which);
+    return {std::uint64_t(x1 - x0 + 1), std::uint64_t(y1 - y0 + 1)};
+}
 
+// One part's attributes, up to the empty name that ends them. False: there was none, the list of parts ends.
+bool check_part(Reader& reader, bool tiled) {
     std::optional<std::size_t> channels;
-    std::optional<std::pair<std::uint64_t, std::uint64_t>> size;
+    std::optional<Size> data, shown;
     std::set<std::string, std::less<>> seen;
     for (std::string_view name = reader.name(); !name.empty(); name = reader.name()) {
         if (!seen.emplace(name).second) fail(Fault::bad_input, "the EXR attribute {} occurs twice", name);
@@ -89,19 +93,35 @@ void check_exr_header(std::span<const std::uint8_t> bytes) {
         const Reader value(reader.take(reader.word()));
         if (name == "channels") channels = check_channels(value);
         if (name == "tiles") check_tiles(value);
-        if (name == "dataWindow") {
-            Reader box = value;
-            const std::int64_t x0 = box.integer(), y0 = box.integer(), x1 = box.integer(), y1 = box.integer();
-            if (x1 < x0 || y1 < y0) fail(Fault::bad_input, "the EXR data window is empty");
-            size = {std::uint64_t(x1 - x0 + 1), std::uint64_t(y1 - y0 + 1)};
-        }
+        if (name == "dataWindow") data = check_window(value, "data");
+        if (name == "displayWindow") shown = check_window(value, "display");
     }
+    if (seen.empty()) return false;
 
     for (const char* required : {"channels", "compression", "dataWindow", "displayWindow", "lineOrder"})
         if (!seen.contains(required)) fail(Fault::bad_input, "the EXR attribute {} is missing", required);
-    if ((version & 0x200) && !seen.contains("tiles"))
-        fail(Fault::bad_input, "the EXR attribute tiles is missing");
-    check_size(size->first, size->second, 4 * *channels);
+    if (tiled && !seen.contains("tiles")) fail(Fault::bad_input, "the EXR attribute tiles is missing");
+    check_size(data->first, data->second, 4 * *channels);
+    check_size(shown->first, shown->second, 4 * *channels);
+    return true;
+}
+
+} // namespace
+
+ExrHeader check_exr_header(std::span<const std::uint8_t> bytes) {
+    Reader reader(bytes);
+    if (reader.word() != 20000630) fail(Fault::bad_input, "not an EXR file");
+    const std::uint32_t version = reader.word();
+    if ((version & 0xff) != 2) fail(Fault::bad_input, "EXR version {} is not supported", version & 0xff);
+    if (version & 0x800) fail(Fault::bad_input, "deep EXR is not supported");
+
+    ExrHeader header{.parts = 0};
+    const bool several = (version & 0x1000) != 0;
+    while (header.parts < (several ? max_parts : 1) && check_part(reader, (version & 0x200) != 0))
+        ++header.parts;
+    if (header.parts == 0) fail(Fault::bad_input, "the EXR file has no header");
+    if (several && header.parts == max_parts) fail(Fault::bad_input, "more than {} EXR parts", max_parts - 1);
+    return header;
 }
 
 } // namespace luxel::codec

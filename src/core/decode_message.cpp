@@ -34,14 +34,30 @@ std::string get_text(const Get& get) {
     return text;
 }
 
-Pixels8 receive_pixels(const Get& get) {
-    Pixels8 pixels;
+// Text that people will see may hold anything: one printable line of it.
+std::string get_line(const Get& get) {
+    std::string line = get_text(get);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return line;
+}
+
+Pixels receive_pixels(const Get& get) {
+    Pixels pixels;
     pixels.width = int(get_number(max_image_side, get));
     pixels.height = int(get_number(max_image_side, get));
     pixels.has_alpha = get_number(1, get) == 1;
-    check_size(std::uint64_t(pixels.width), std::uint64_t(pixels.height), 4);
-    pixels.rgba.resize(std::size_t(pixels.width) * std::size_t(pixels.height) * 4);
-    get(pixels.rgba.data(), pixels.rgba.size());
+    const bool wide = get_number(1, get) == 1;
+    check_size(std::uint64_t(pixels.width), std::uint64_t(pixels.height), wide ? 8 : 4);
+    const std::size_t count = std::size_t(pixels.width) * std::size_t(pixels.height) * 4;
+    if (wide) {
+        pixels.wide.resize(count);
+        get(pixels.wide.data(), 2 * count);
+    } else {
+        pixels.rgba.resize(count);
+        get(pixels.rgba.data(), count);
+    }
+    pixels.remark = get_line(get);
     return pixels;
 }
 
@@ -62,6 +78,7 @@ ExrFile receive_layers(const Get& get) {
         std::string name = get_text(get);
         file.metadata[std::move(name)] = get_text(get);
     }
+    file.remark = get_line(get);
     return file;
 }
 
@@ -73,12 +90,15 @@ void send_refusal(const std::string& reason, const Put& put) {
 }
 
 void send(const Decoded& decoded, const Put& put) {
-    if (const auto* pixels = std::get_if<Pixels8>(&decoded)) {
+    if (const auto* pixels = std::get_if<Pixels>(&decoded)) {
         put_number(std::uint32_t(Kind::pixels), put);
         put_number(std::uint32_t(pixels->width), put);
         put_number(std::uint32_t(pixels->height), put);
         put_number(pixels->has_alpha, put);
+        put_number(pixels->is_wide(), put);
         put(pixels->rgba.data(), pixels->rgba.size());
+        put(pixels->wide.data(), 2 * pixels->wide.size());
+        put_text(pixels->remark, put);
         return;
     }
     const auto& file = std::get<ExrFile>(decoded);
@@ -96,17 +116,13 @@ void send(const Decoded& decoded, const Put& put) {
         put_text(name, put);
         put_text(value, put);
     }
+    put_text(file.remark, put);
 }
 
 Decoded receive(const Get& get) {
     switch (Kind(get_number(std::uint32_t(Kind::layers), get))) {
-    case Kind::refusal: {
-        // The text may hold anything: one printable line of it.
-        std::string reason = get_text(get);
-        std::replace_if(
-            reason.begin(), reason.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-        fail(Fault::bad_input, "{}", reason);
-    }
+    case Kind::refusal:
+        fail(Fault::bad_input, "{}", get_line(get));
     case Kind::pixels:
         return receive_pixels(get);
     case Kind::layers:

@@ -177,9 +177,12 @@ Decoded decode(std::span<const std::uint8_t> bytes) {
         return decode_png(bytes);
     case Format::jpeg:
         return decode_jpeg(bytes);
-    default:
-        fail(Fault::bad_input, "not OpenEXR, PNG or JPEG");
+    case Format::radiance:
+        return ExrFile{.layers = {{"", decode_radiance(bytes)}}, .metadata = {}, .remark = {}};
+    case Format::unknown:
+        break;
     }
+    fail(Fault::bad_input, "not OpenEXR, Radiance, PNG or JPEG");
 }
 
 } // namespace

@@ -10,9 +10,9 @@
 
 namespace luxel::codec {
 
-using Decoded = std::variant<ExrFile, Pixels8>;
+using Decoded = std::variant<ExrFile, Pixels>;
 
-// EXR gives ExrFile, PNG and JPEG give Pixels8. Error with the reason alone, without a file name.
+// EXR and Radiance give ExrFile, PNG and JPEG give Pixels. Error with the reason alone, without a file name.
 Decoded decode_apart(std::span<const std::uint8_t> bytes);
 
 // The other side, main() of luxel-decode: an image on standard input, the answer on standard output.

@@ -26,7 +26,7 @@ std::string refusal(const Bytes& bytes) {
     const codec::Format format = codec::format_of(bytes);
     try {
         if (format == codec::Format::png || format == codec::Format::jpeg) {
-            const Pixels8 pixels = decode_pixels(bytes, "file");
+            const Pixels pixels = decode_pixels(bytes, "file");
             EXPECT_EQ(pixels.rgba.size(), std::size_t(pixels.width) * std::size_t(pixels.height) * 4);
             EXPECT_FALSE(pixels.rgba.empty());
         } else {
@@ -102,7 +102,7 @@ TEST(Decode, DamagedJpegIsRefused) { expect_survival(sample_jpeg(), 30); }
 TEST(Decode, DamagedExrIsRefused) { expect_survival(sample_exr(), 60); }
 
 TEST(Decode, JpegKeepsItsColor) {
-    const Pixels8 pixels = decode_pixels(sample_jpeg(), "file");
+    const Pixels pixels = decode_pixels(sample_jpeg(), "file");
     ASSERT_EQ(pixels.width, 19);
     ASSERT_EQ(pixels.height, 13);
     EXPECT_FALSE(pixels.has_alpha);
@@ -148,7 +148,7 @@ TEST(Decode, AnswersAreNotTrusted) {
     EXPECT_THROW(receive({3, 1, 0, 16384, 16384, 4}), Error);
     EXPECT_THROW(receive({3, 0xffffffff}), Error);
     EXPECT_THROW(receive({3, 1, 0xffffffff}), Error);
-    EXPECT_EQ(std::get<Pixels8>(receive({2, 1, 1, 0, 0x01020304})).rgba, (Bytes{4, 3, 2, 1}));
+    EXPECT_EQ(std::get<Pixels>(receive({2, 1, 1, 0, 0, 0x01020304, 0})).rgba, (Bytes{4, 3, 2, 1}));
     try {
         receive({1, 4, 0x0a1b4141});
         ADD_FAILURE() << "a refusal is an error";

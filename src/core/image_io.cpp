@@ -50,40 +50,54 @@ Image main_layer(ExrFile file, const std::string& name) {
     return image.channels == 4 ? three_channels(image) : image;
 }
 
-Image linear(const Pixels8& pixels) {
+// Eight bits have few enough codes for a table.
+Image linear(const Pixels& pixels) {
     std::array<float, 256> table;
     for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_decode(float(i) / 255.0f);
     Image image(pixels.width, pixels.height, 3);
     for (std::size_t i = 0; i < image.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) image.data[3 * i + c] = table[pixels.rgba[4 * i + c]];
+        for (std::size_t c = 0; c < 3; ++c)
+            image.data[3 * i + c] =
+                pixels.is_wide() ? srgb_decode(pixels.value(4 * i + c)) : table[pixels.rgba[4 * i + c]];
     return image;
+}
+
+void add_remark(Remarks* remarks, const std::string& name, const std::string& remark) {
+    if (remarks && !remark.empty()) remarks->push_back(name + ": " + remark);
 }
 
 } // namespace
 
-Pixels8 decode_pixels(std::span<const std::uint8_t> bytes, const std::string& name) {
+Pixels decode_pixels(std::span<const std::uint8_t> bytes, const std::string& name) {
     const Format format = codec::format_of(bytes);
     if (format != Format::png && format != Format::jpeg)
         fail(Fault::bad_input, "{}: neither PNG nor JPEG", name);
-    return named(
-        name, [&] { return format == Format::png ? codec::decode_png(bytes) : codec::decode_jpeg(bytes); });
+    return named(name, [&] { return expect<Pixels>(codec::decode_apart(bytes)); });
 }
 
-Image decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name) {
+Image decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name, Remarks* remarks) {
     const Format format = codec::format_of(bytes);
-    if (format == Format::radiance) return named(name, [&] { return codec::decode_radiance(bytes); });
-    if (format != Format::exr) fail(Fault::bad_input, "{}: neither OpenEXR nor Radiance", name);
-    return main_layer(named(name, [&] { return expect<ExrFile>(codec::decode_apart(bytes)); }), name);
+    if (format != Format::exr && format != Format::radiance)
+        fail(Fault::bad_input, "{}: neither OpenEXR nor Radiance", name);
+    ExrFile file = named(name, [&] { return expect<ExrFile>(codec::decode_apart(bytes)); });
+    add_remark(remarks, name, file.remark);
+    return main_layer(std::move(file), name);
 }
 
-Image read_image(const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = read_file(file);
+Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name, Remarks* remarks) {
     const Format format = codec::format_of(bytes);
-    if (format == Format::unknown)
-        fail(Fault::bad_input, "{}: not OpenEXR, Radiance, PNG or JPEG", file.string());
-    if (format == Format::png || format == Format::jpeg) return linear(decode_pixels(bytes, file.string()));
-    Image image = decode_hdr(bytes, file.string());
+    if (format == Format::unknown) fail(Fault::bad_input, "{}: not OpenEXR, Radiance, PNG or JPEG", name);
+    if (format == Format::png || format == Format::jpeg) {
+        const Pixels pixels = decode_pixels(bytes, name);
+        add_remark(remarks, name, pixels.remark);
+        return linear(pixels);
+    }
+    Image image = decode_hdr(bytes, name, remarks);
     return image.channels == 3 ? image : three_channels(image);
+}
+
+Image read_image(const std::filesystem::path& file, Remarks* remarks) {
+    return decode_image(read_file(file), file.string(), remarks);
 }
 
 ExrFile read_exr(const std::filesystem::path& file) {

@@ -49,7 +49,7 @@ TEST(ImageIo, PngRoundsToTheNearestOf256) {
     Image image(256, 2, 4);
     for (int x = 0; x < 256; ++x)
         for (int c = 0; c < 4; ++c) image.at(x, 0)[c] = (float(x) + (c - 1.5f) * 0.3f) / 255.0f;
-    const Pixels8 pixels = decode_pixels(encode_png(image), "memory");
+    const Pixels pixels = decode_pixels(encode_png(image), "memory");
     ASSERT_EQ(pixels.width, 256);
     EXPECT_TRUE(pixels.has_alpha);
     for (std::size_t x = 0; x < 256; ++x)

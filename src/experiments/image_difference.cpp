@@ -102,10 +102,10 @@ ImageFile read_layer(const std::filesystem::path& file, const std::string& layer
     return out;
 }
 
-Image display_values(const Pixels8& pixels) {
+Image display_values(const Pixels& pixels) {
     Image image(pixels.width, pixels.height, 3);
     for (std::size_t i = 0; i < image.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) image.data[3 * i + c] = float(pixels.rgba[4 * i + c]) / 255.0f;
+        for (std::size_t c = 0; c < 3; ++c) image.data[3 * i + c] = pixels.value(4 * i + c);
     return image;
 }
 

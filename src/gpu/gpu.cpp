@@ -149,6 +149,34 @@ Image Gpu::upload_image(const ImageInfo& info, std::span<const std::byte> texels
     return made;
 }
 
+Image Gpu::upload_mips(const ImageInfo& info, std::span<const std::byte> texels, std::string name) {
+    const Image made = image(info, std::move(name));
+    Commands commands(*data_);
+    for (std::uint32_t level = 0; level < info.mips; ++level) {
+        const Image mip = made.mip(level);
+        const std::size_t size =
+            std::size_t(mip.width()) * mip.height() * info.layers * texel_bytes(info.format);
+        LUXEL_ASSERT(size <= texels.size(), "{} bytes for mip {} of image {}", texels.size(), level,
+                     made.name());
+        const Buffer staging =
+            buffer(size, fmt::format("{} (staging of mip {})", made.name(), level), Memory::upload);
+        write(staging, texels.first(size));
+        texels = texels.subspan(size);
+        copy_buffer_to_image(commands, staging, mip);
+    }
+    LUXEL_ASSERT(texels.empty(), "{} bytes left over for image {}", texels.size(), made.name());
+    commands.submit();
+    return made;
+}
+
+bool Gpu::can_filter(VkFormat format) const {
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(data_->context->physical, format, &properties);
+    constexpr VkFormatFeatureFlags needed =
+        VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    return (properties.optimalTilingFeatures & needed) == needed;
+}
+
 Image Gpu::upload_image(const luxel::Image& source, std::string name) {
     LUXEL_ASSERT(source.channels == 1 || source.channels == 3 || source.channels == 4,
                  "image {} has {} channels", name, source.channels);

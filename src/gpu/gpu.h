@@ -93,6 +93,10 @@ public:
                         std::string name); // device-local copy; empty is allowed
     // Mip 0 of an image from tightly packed rows; further mips are made by linear blits when info.mips > 1.
     Image upload_image(const ImageInfo& info, std::span<const std::byte> texels, std::string name);
+    // The same with every mip's texels given, the levels behind one another.
+    Image upload_mips(const ImageInfo& info, std::span<const std::byte> texels, std::string name);
+    // Whether images of this format can be sampled and filtered linearly.
+    bool can_filter(VkFormat format) const;
     Image upload_image(const luxel::Image& image, std::string name); // 1 -> R32F, 3 and 4 channels -> RGBA32F
 
     // Into Memory::upload; what is submitted afterwards sees it.

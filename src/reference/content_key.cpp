@@ -51,6 +51,7 @@ void add(ContentKey& key, const Texture& t) {
          {t.pixels.width, t.pixels.height, int(t.srgb), int(t.wrap_u), int(t.wrap_v), int(t.nearest)})
         key.add(value);
     key.add(t.pixels.rgba);
+    if (t.pixels.is_wide()) key.add(t.pixels.wide);
 }
 
 void add(ContentKey& key, const shared::Light& l) {

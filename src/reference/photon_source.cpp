@@ -20,11 +20,13 @@ constexpr std::size_t tests_a_light = 4;    // of a triangle, where there are fe
 bool may_be_specular(const Scene& scene, const Material& m, float specular_roughness) {
     float roughness = m.roughness, metallic = m.metallic;
     if (const int texture = m.metallic_roughness_texture.texture; texture >= 0) {
-        const std::vector<std::uint8_t>& rgba = scene.textures[std::size_t(texture)].pixels.rgba;
-        int smoothest = 255, metal = 0;
-        for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
-            smoothest = std::min(smoothest, int(rgba[i + 1])), metal = std::max(metal, int(rgba[i + 2]));
-        roughness *= float(smoothest) / 255.0f, metallic *= float(metal) / 255.0f;
+        const Pixels& pixels = scene.textures[std::size_t(texture)].pixels;
+        float smoothest = 1.0f, metal = 0.0f;
+        for (std::size_t i = 0, end = std::size_t(pixels.width) * std::size_t(pixels.height) * 4; i < end;
+             i += 4)
+            smoothest = std::min(smoothest, pixels.value(i + 1)),
+            metal = std::max(metal, pixels.value(i + 2));
+        roughness *= smoothest, metallic *= metal;
     }
     return m.transmission > 0.0f || shared::is_mirror(metallic, roughness) || roughness <= specular_roughness;
 }

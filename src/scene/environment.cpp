@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "scene/environment_layout.h"
 
 namespace luxel {
 namespace {
@@ -121,7 +122,23 @@ float EnvironmentSampler::pdf(glm::vec3 direction) const {
     return importance(*environment_, x, y) * environment_->scale / float(power_);
 }
 
-Image environment_map(const Image& stored, const std::string& file, std::vector<std::string>& warnings) {
+Image environment_map(const Image& picture, const std::string& file, std::vector<std::string>& warnings) {
+    // Whatever is twice as wide as high is what it should be; cubes are recognized.
+    const MapLayout layout = layout_of(picture);
+    const bool unfolded =
+        layout != MapLayout::equirectangular && layout != MapLayout::square && layout != MapLayout::other;
+    if (unfolded && 4 * std::max(picture.width, picture.height) / 3 > max_image_side)
+        fail(Fault::bad_input, "{}: {}x{} pixels are too many for a cube; scale it down", file, picture.width,
+             picture.height);
+    if (unfolded)
+        warnings.push_back(fmt::format("{}: the environment is {}; it is converted to an equirectangular map",
+                                       file, describe(layout)));
+    else if (layout != MapLayout::equirectangular)
+        warnings.push_back(fmt::format("{}: the environment is {} ({}x{}); it is read as an equirectangular "
+                                       "map all the same, stretched over the sphere",
+                                       file, describe(layout), picture.width, picture.height));
+    const Image stored = unfolded ? equirectangular(picture, layout) : picture;
+
     Image map(stored.width, stored.height, 3);
     std::size_t negative = 0;
     for (int y = 0; y < map.height; ++y)

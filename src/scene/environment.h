@@ -13,8 +13,9 @@ namespace luxel {
 glm::vec3 environment_direction(const Environment& environment, glm::vec2 uv);
 glm::vec2 environment_uv(const Environment& environment, glm::vec3 direction);
 
-// Any decoded picture as a map: three channels, negative texels black (with a warning that names `file`).
-Image environment_map(const Image& stored, const std::string& file, std::vector<std::string>& warnings);
+// Any decoded picture as a map: three channels, cubes made equirectangular, negative texels black; what is
+// done to it is a warning that names `file`.
+Image environment_map(const Image& picture, const std::string& file, std::vector<std::string>& warnings);
 
 // Solid angle of any texel of row y.
 float texel_solid_angle(const Environment& environment, int y);

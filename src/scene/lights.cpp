@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "scene/emission_mean.h"
 #include "scene/surface.h"
 #include "shared/random.h"
 #include "shared/sampling.h"
@@ -15,41 +16,8 @@ namespace {
 
 using shared::Light;
 
-// Samples per edge for the mean of a texture over a triangle: about one per texel, within reason.
-constexpr int max_mean_steps = 64;
-
-int mean_steps(const Scene& scene, const Mesh& mesh, const TextureUse& use, const std::uint32_t* triangle) {
-    if (use.texture < 0 || mesh.texcoords[use.set].empty()) return 1;
-    const Pixels8& pixels = scene.textures[std::size_t(use.texture)].pixels;
-    const glm::vec2 size(pixels.width, pixels.height);
-    float longest = 0.0f;
-    for (int k = 0; k < 3; ++k) {
-        const glm::vec2 a = mesh.texcoords[use.set][triangle[k]],
-                        b = mesh.texcoords[use.set][triangle[(k + 1) % 3]];
-        longest = std::max(longest, glm::length(glm::vec2(use.transform * glm::vec3(b - a, 0.0f)) * size));
-    }
-    return int(std::clamp(std::ceil(longest), 1.0f, float(max_mean_steps)));
-}
-
-// Mean of emission over a triangle, by the centroids of n x n equal parts; holes of an alpha mask emit
-// nothing.
-glm::vec3 mean_emission(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, int n) {
-    glm::vec3 sum(0.0f);
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; i + j < n; ++j) {
-            // Each cell holds an upright part and, except along the hypotenuse, one that is turned around.
-            for (int turned = 0; turned < (i + j + 1 < n ? 2 : 1); ++turned) {
-                const float third = turned ? 2.0f / 3.0f : 1.0f / 3.0f;
-                const glm::vec2 uv((float(i) + third) / float(n), (float(j) + third) / float(n));
-                if (!is_transparent(scene, instance, triangle, uv))
-                    sum += emission_at(scene, instance, triangle, uv);
-            }
-        }
-    }
-    return sum / float(n * n);
-}
-
-void append_instance(const Scene& scene, std::uint32_t index, std::vector<EmissiveTriangle>& found) {
+void append_instance(const Scene& scene, std::uint32_t index, EmissionMeans& means,
+                     std::vector<EmissiveTriangle>& found) {
     const Instance& instance = scene.instances[index];
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
     const Material& material = scene.materials[std::size_t(mesh.material)];
@@ -67,11 +35,7 @@ void append_instance(const Scene& scene, std::uint32_t index, std::vector<Emissi
         const glm::vec3 cross = glm::cross(e.b - e.a, e.c - e.a);
         const float length = glm::length(cross);
         if (!(length > 0.0f)) continue;
-        const int steps = std::max(mean_steps(scene, mesh, material.emission_texture, k),
-                                   material.alpha_mode == AlphaMode::opaque
-                                       ? 1
-                                       : mean_steps(scene, mesh, material.base_color_texture, k));
-        e.emission = mean_emission(scene, index, t, steps);
+        e.emission = means.mean(index, t);
         if (luminance(e.emission) <= 0.0f) continue;
 
         e.normal = cross * (winding / length);
@@ -119,7 +83,8 @@ void append_side(const EmissiveTriangle& e, float side, int count, float intensi
 
 std::vector<EmissiveTriangle> emissive_triangles(const Scene& scene) {
     std::vector<EmissiveTriangle> found;
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) append_instance(scene, i, found);
+    EmissionMeans means(scene);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) append_instance(scene, i, means, found);
     return found;
 }
 

@@ -42,8 +42,8 @@ void replace_environment(Scene& scene, const LoadOptions& options) {
         scene.environment = default_sky();
     } else {
         scene.environment = {};
-        scene.environment.radiance =
-            environment_map(read_image(options.environment), options.environment, scene.warnings);
+        const Image picture = read_image(options.environment, &scene.warnings);
+        scene.environment.radiance = environment_map(picture, options.environment, scene.warnings);
     }
     scene.environment.scale = options.environment_scale;
 }

@@ -12,15 +12,15 @@ namespace luxel {
 namespace {
 
 // One image file and what became of it.
-struct Image8 {
+struct DecodedImage {
     const TextureRequest* request = nullptr;
-    Pixels8 pixels;
+    Pixels pixels;
     std::string problem; // empty: decoded
     int uses = 0;        // requests still to be served
 };
 
-Pixels8 substitute(TextureRole role) {
-    Pixels8 pixels;
+Pixels substitute(TextureRole role) {
+    Pixels pixels;
     pixels.width = pixels.height = 1;
     pixels.rgba = {128, 128, std::uint8_t(role == TextureRole::normal ? 255 : 128), 255};
     return pixels;
@@ -28,7 +28,7 @@ Pixels8 substitute(TextureRole role) {
 
 // What went wrong with reading or decoding, or an empty text. Running out of a resource is an error all the
 // same.
-std::string decode(const TextureRequest& request, Pixels8& pixels) {
+std::string decode(const TextureRequest& request, Pixels& pixels) {
     if (!request.read) return request.image + ": has no PNG or JPEG image";
     std::optional<std::vector<std::uint8_t>> bytes;
     try {
@@ -51,8 +51,8 @@ std::string decode(const TextureRequest& request, Pixels8& pixels) {
 class TexelBudget {
 public:
     explicit TexelBudget(const std::string& scene_name) : scene_name_(scene_name) {}
-    void charge(const Pixels8& pixels) {
-        if ((taken_ += pixels.rgba.size()) > max_texture_bytes)
+    void charge(const Pixels& pixels) {
+        if ((taken_ += pixels.bytes()) > max_texture_bytes)
             fail(Fault::resource, "{}: its textures need more than {} GiB", scene_name_,
                  max_texture_bytes >> 30);
     }
@@ -62,12 +62,14 @@ private:
     std::atomic<std::uint64_t> taken_ = 0;
 };
 
-std::string describe_problems(const std::vector<Image8>& images) {
-    const auto bad = [](const Image8& image) { return !image.problem.empty(); };
-    const auto count = std::count_if(images.begin(), images.end(), bad);
-    if (count == 0) return {};
-    return fmt::format("{} texture image{} replaced by grey, first: {}", count, count == 1 ? "" : "s",
-                       std::find_if(images.begin(), images.end(), bad)->problem);
+// One counted sentence about those images of which `text` is not empty, or none.
+template <class Text> void describe(const std::vector<DecodedImage>& images, const char* what, Text&& text,
+                                    std::vector<std::string>& out) {
+    const auto is_one = [&](const DecodedImage& image) { return !text(image).empty(); };
+    const auto count = std::count_if(images.begin(), images.end(), is_one);
+    if (count == 0) return;
+    out.push_back(fmt::format("{} texture image{} {}, first: {}", count, count == 1 ? "" : "s", what,
+                              text(*std::find_if(images.begin(), images.end(), is_one))));
 }
 
 } // namespace
@@ -76,7 +78,7 @@ LoadedTextures load_textures(std::vector<TextureRequest> requests, const std::st
                              const LoadOptions& options) {
     // Each image once, in a fixed order: the first problem reported does not depend on the threads.
     std::map<std::string, std::size_t> index_of;
-    std::vector<Image8> images;
+    std::vector<DecodedImage> images;
     for (const TextureRequest& request : requests)
         if (index_of.emplace(request.image, images.size()).second) images.push_back({&request, {}, {}, 0});
     TexelBudget budget(scene_name);
@@ -86,14 +88,20 @@ LoadedTextures load_textures(std::vector<TextureRequest> requests, const std::st
     });
 
     LoadedTextures result;
-    result.warning = describe_problems(images);
-    if (options.strict && !result.warning.empty())
-        fail(Fault::bad_input, "{}: {}", scene_name, result.warning);
+    describe(
+        images, "replaced by grey", [](const DecodedImage& image) { return image.problem; }, result.warnings);
+    if (options.strict && !result.warnings.empty())
+        fail(Fault::bad_input, "{}: {}", scene_name, result.warnings.front());
+    const auto remark_of = [](const DecodedImage& image) {
+        const std::string& remark = image.pixels.remark;
+        return remark.empty() ? remark : image.request->image + ": " + remark;
+    };
+    describe(images, "with a flaw", remark_of, result.warnings);
 
     // The last request of an image takes its pixels, the others copies.
     for (const TextureRequest& request : requests) ++images[index_of[request.image]].uses;
     for (TextureRequest& request : requests) {
-        Image8& image = images[index_of[request.image]];
+        DecodedImage& image = images[index_of[request.image]];
         Texture texture = std::move(request.texture);
         texture.srgb = request.role == TextureRole::color;
         if (!image.problem.empty()) {

@@ -32,8 +32,8 @@ struct TextureRequest {
 
 struct LoadedTextures {
     std::vector<Texture> textures;
-    std::string
-        warning; // one counted sentence without the scene's name when something was substituted, or empty
+    // Counted sentences without the scene's name: what was substituted, and what decoders put up with.
+    std::vector<std::string> warnings;
 };
 // A substitute is an error, Fault::bad_input, with options.strict.
 LoadedTextures load_textures(std::vector<TextureRequest> requests, const std::string& scene_name,

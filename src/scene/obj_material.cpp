@@ -123,7 +123,8 @@ void read_obj_materials(Scene& scene, const std::vector<tinyobj::material_t>& ma
 
     LoadedTextures loaded = textures.load(source_name, options);
     scene.textures = std::move(loaded.textures);
-    if (!loaded.warning.empty()) scene.warnings.push_back(fmt::format("{}: {}", source_name, loaded.warning));
+    for (const std::string& warning : loaded.warnings)
+        scene.warnings.push_back(fmt::format("{}: {}", source_name, warning));
 }
 
 std::string obj_path(std::string_view path) {

@@ -20,7 +20,7 @@ enum class Wrap { repeat, clamp, mirror };
 
 struct Texture {
     std::string name;
-    Pixels8 pixels;    // as stored
+    Pixels pixels;     // as stored
     bool srgb = false; // color data (sRGB curve) or numbers (linear)
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     bool nearest = false;

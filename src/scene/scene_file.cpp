@@ -175,7 +175,7 @@ Image read_map(Section& section, const Folder& folder, const std::string& file,
                std::vector<std::string>& warnings) {
     const auto bytes = folder.read(file, max_map_bytes);
     if (!bytes) section.reject("file", fmt::format("\"{}\" does not exist", printable(file)));
-    return environment_map(decode_hdr(*bytes, (folder.root() / file).string()), file, warnings);
+    return environment_map(decode_image(*bytes, (folder.root() / file).string(), &warnings), file, warnings);
 }
 
 Environment read_environment(Section& section, const Folder& folder, std::vector<std::string>& warnings) {

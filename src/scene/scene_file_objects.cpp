@@ -60,7 +60,7 @@ std::map<std::string, int> load_height_maps(Scene& scene, const std::vector<Obje
         Texture texture;
         texture.name = file;
         texture.pixels = decode_pixels(*bytes, (folder.root() / file).string());
-        if ((taken += texture.pixels.rgba.size()) > max_texture_bytes)
+        if ((taken += texture.pixels.bytes()) > max_texture_bytes)
             fail(Fault::resource, "{}: its height maps need more than {} GiB", scene.name,
                  max_texture_bytes >> 30);
         index_of[file] = int(scene.textures.size());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/texture_filter.h"
 
-#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace luxel {
 namespace {
@@ -34,29 +35,47 @@ Taps taps(float coordinate, int size, Wrap wrap) {
     return {glm::clamp(first, 0, size - 1), glm::clamp(second, 0, size - 1), x - low};
 }
 
-// 8-bit codes to linear values, for both kinds of texture.
-struct DecodeTables {
-    std::array<float, 256> srgb, linear;
+// Codes to linear values, for both kinds of texture.
+template <class Code> struct DecodeTables {
+    static constexpr std::size_t largest = std::numeric_limits<Code>::max();
+    std::vector<float> srgb = std::vector<float>(largest + 1), linear = srgb;
     DecodeTables() {
-        for (int i = 0; i < 256; ++i) {
-            linear[std::size_t(i)] = float(i) / 255.0f;
-            srgb[std::size_t(i)] = srgb_decode(linear[std::size_t(i)]);
+        for (std::size_t i = 0; i <= largest; ++i) {
+            linear[i] = float(i) / float(largest);
+            srgb[i] = srgb_decode(linear[i]);
         }
     }
 };
-const DecodeTables& decode_tables() {
-    static const DecodeTables tables;
+template <class Code> const DecodeTables<Code>& decode_tables() {
+    static const DecodeTables<Code> tables;
     return tables;
 }
 
-const std::uint8_t* texel_address(const Texture& texture, int x, int y) {
-    const Pixels8& p = texture.pixels;
-    return &p.rgba[(std::size_t(y) * std::size_t(p.width) + std::size_t(x)) * 4];
+std::size_t texel_index(const Texture& texture, int x, int y) {
+    return (std::size_t(y) * std::size_t(texture.pixels.width) + std::size_t(x)) * 4;
 }
 
-glm::vec4 texel(const Texture& texture, const std::array<float, 256>& color, int x, int y) {
-    const std::uint8_t* t = texel_address(texture, x, y);
-    return {color[t[0]], color[t[1]], color[t[2]], float(t[3]) * (1.0f / 255.0f)};
+// Where a texel stands, for prefetching.
+const void* texel_address(const Texture& texture, int x, int y) {
+    const std::size_t i = texel_index(texture, x, y);
+    return texture.pixels.is_wide() ? static_cast<const void*>(&texture.pixels.wide[i])
+                                    : static_cast<const void*>(&texture.pixels.rgba[i]);
+}
+
+template <class Code> glm::vec4 decode(const Code* code, const float* color) {
+    return {color[code[0]], color[code[1]], color[code[2]],
+            float(code[3]) * (1.0f / float(DecodeTables<Code>::largest))};
+}
+
+template <class Code> glm::vec4 filter_codes(const Footprint& f, const std::vector<Code>& codes) {
+    const DecodeTables<Code>& tables = decode_tables<Code>();
+    const float* color = (f.texture->srgb ? tables.srgb : tables.linear).data();
+    const auto at = [&](int x, int y) { return decode(&codes[texel_index(*f.texture, x, y)], color); };
+    if (f.texture->nearest)
+        return at(f.x.weight < 0.5f ? f.x.first : f.x.second, f.y.weight < 0.5f ? f.y.first : f.y.second);
+    const glm::vec4 top = glm::mix(at(f.x.first, f.y.first), at(f.x.second, f.y.first), f.x.weight);
+    const glm::vec4 bottom = glm::mix(at(f.x.first, f.y.second), at(f.x.second, f.y.second), f.x.weight);
+    return glm::mix(top, bottom, f.y.weight);
 }
 
 } // namespace
@@ -67,16 +86,18 @@ Footprint footprint(const Texture& texture, glm::vec2 uv) {
 }
 
 glm::vec4 filter(const Footprint& f) {
-    const DecodeTables& tables = decode_tables();
-    const std::array<float, 256>& color = f.texture->srgb ? tables.srgb : tables.linear;
-    if (f.texture->nearest)
-        return texel(*f.texture, color, f.x.weight < 0.5f ? f.x.first : f.x.second,
-                     f.y.weight < 0.5f ? f.y.first : f.y.second);
-    glm::vec4 top = glm::mix(texel(*f.texture, color, f.x.first, f.y.first),
-                             texel(*f.texture, color, f.x.second, f.y.first), f.x.weight);
-    glm::vec4 bottom = glm::mix(texel(*f.texture, color, f.x.first, f.y.second),
-                                texel(*f.texture, color, f.x.second, f.y.second), f.x.weight);
-    return glm::mix(top, bottom, f.y.weight);
+    const Pixels& pixels = f.texture->pixels;
+    return pixels.is_wide() ? filter_codes(f, pixels.wide) : filter_codes(f, pixels.rgba);
+}
+
+glm::vec4 texel(const Texture& texture, int x, int y) {
+    const Pixels& pixels = texture.pixels;
+    const std::size_t i = texel_index(texture, x, y);
+    const auto color = [&](const auto& tables) {
+        return (texture.srgb ? tables.srgb : tables.linear).data();
+    };
+    return pixels.is_wide() ? decode(&pixels.wide[i], color(decode_tables<std::uint16_t>()))
+                            : decode(&pixels.rgba[i], color(decode_tables<std::uint8_t>()));
 }
 
 void prefetch(const Footprint& f) {

@@ -21,5 +21,7 @@ struct Footprint {
 Footprint footprint(const Texture& texture, glm::vec2 uv);
 void prefetch(const Footprint& footprint);    // also without
 glm::vec4 filter(const Footprint& footprint); // with a texture: as sample_texture()
+// One texel, decoded as filter() decodes it.
+glm::vec4 texel(const Texture& texture, int x, int y);
 
 } // namespace luxel

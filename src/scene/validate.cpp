@@ -61,10 +61,12 @@ private:
     }
 
     void check(const Texture& t) const {
-        const Pixels8& p = t.pixels;
+        const Pixels& p = t.pixels;
         require(p.width > 0 && p.height > 0 && p.width <= max_image_side && p.height <= max_image_side,
                 "its size is out of range");
-        require(p.rgba.size() == std::size_t(p.width) * std::size_t(p.height) * 4,
+        const std::size_t components = std::size_t(p.width) * std::size_t(p.height) * 4;
+        require(p.rgba.size() == (p.is_wide() ? 0 : components) &&
+                    p.wide.size() == (p.is_wide() ? components : 0),
                 "its pixels do not fill its size");
     }
 

@@ -87,7 +87,7 @@ TextureRequest TextureTable::request(std::size_t index, TextureRole role) {
 
 std::vector<Texture> TextureTable::load(const LoadOptions& options) {
     LoadedTextures loaded = load_textures(std::move(requests_), document_.name(), options);
-    if (!loaded.warning.empty()) document_.warn(loaded.warning);
+    for (const std::string& warning : loaded.warnings) document_.warn(warning);
     return std::move(loaded.textures);
 }
 

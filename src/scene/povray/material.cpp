@@ -70,7 +70,7 @@ void note_what_is_lost(Export& out, const Material& m) {
 
 // The lobe's albedo on the grid of the base color texture, as a picture beside the file.
 std::string bake(const Export& out, const Material& material, std::size_t index) {
-    const Pixels8& pixels = out.scene.textures[std::size_t(material.base_color_texture.texture)].pixels;
+    const Pixels& pixels = out.scene.textures[std::size_t(material.base_color_texture.texture)].pixels;
     const bool masked = material.alpha_mode != AlphaMode::opaque;
     Image picture(pixels.width, pixels.height, masked ? 4 : 3);
     parallel_for(std::size_t(pixels.height), 8, [&](std::size_t y) {

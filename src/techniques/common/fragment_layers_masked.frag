@@ -12,7 +12,7 @@ layout(location = 6) in float alpha;
 
 void main() {
     ListFragment f = list_fragment();
-    float texel = look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw).a;
+    float texel = look_up_base_color(uv.xy, uv.zw).a;
     if (m.base_color.a * texel * alpha < m.alpha_cutoff) discard;
     peel(f);
 }

@@ -47,7 +47,7 @@ Scene with_heights(const std::function<std::uint8_t(int x, int y)>& height) {
     Scene scene = relief();
     for (const Material& m : scene.materials) {
         if (!m.has_relief()) continue;
-        Pixels8& pixels = scene.textures[std::size_t(m.height_texture.texture)].pixels;
+        Pixels& pixels = scene.textures[std::size_t(m.height_texture.texture)].pixels;
         for (int y = 0; y < pixels.height; ++y)
             for (int x = 0; x < pixels.width; ++x)
                 pixels.rgba[std::size_t(y * pixels.width + x) * 4] = height(x, y);

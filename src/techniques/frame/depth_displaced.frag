@@ -26,6 +26,6 @@ void main() {
 
     vec4 clip = p.world_to_clip * vec4(world + relief.along * relief.t, 1.0);
     gl_FragDepth = relief.t > 0.0 ? min(clip.z / clip.w, gl_FragCoord.z) : gl_FragCoord.z;
-    float texel = look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw).a;
+    float texel = look_up_base_color(uv.xy, uv.zw).a;
     if (m.base_color.a * texel * alpha < m.alpha_cutoff) discard;
 }

@@ -17,7 +17,7 @@ float threshold_at(ivec2 texel) {
 }
 
 void main() {
-    float texel = look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw).a;
+    float texel = look_up_base_color(uv.xy, uv.zw).a;
     float coverage = m.base_color.a * texel * alpha;
     if (coverage < mix(m.alpha_cutoff, threshold_at(ivec2(gl_FragCoord.xy)), m.blended)) discard;
 }

@@ -92,7 +92,7 @@ void main() {
     vec3 specular_color = m.specular_color, emission = m.emission;
 #if TEXTURES != TEXTURES_NONE
     if (m.base_color_texture.present != 0u)
-        base *= look_up(base_color_texture, m.base_color_texture, uv.xy, uv.zw);
+        base *= look_up_base_color(uv.xy, uv.zw);
     if (m.metallic_roughness_texture.present != 0u) {
         vec4 t = look_up(metallic_roughness_texture, m.metallic_roughness_texture, uv.xy, uv.zw);
         roughness *= t.g;

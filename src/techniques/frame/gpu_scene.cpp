@@ -2,11 +2,13 @@
 #include "techniques/frame/gpu_scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "core/error.h"
 #include "techniques/frame/gpu_scene_params.h"
+#include "techniques/frame/texture_upload.h"
 
 namespace luxel {
 namespace {
@@ -116,13 +118,10 @@ shared::MaterialRecord material_record(const Scene& scene, const Material& m, bo
     return r;
 }
 
-gpu::Image upload_texture(gpu::Gpu& gpu, const Texture& texture, bool mipmaps) {
-    const Pixels8& p = texture.pixels;
-    gpu::ImageInfo info{.width = std::uint32_t(p.width),
-                        .height = std::uint32_t(p.height),
-                        .format = texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM};
-    if (mipmaps) info.mips = std::uint32_t(std::bit_width(std::max(info.width, info.height)));
-    return gpu.upload_image(info, std::as_bytes(std::span(p.rgba)), "texture " + texture.name);
+// What the texture's alpha is held against, where the material tests it: the factor is the same everywhere.
+std::optional<float> mask_of(const Material& m) {
+    const bool tested = m.alpha_mode == AlphaMode::mask && m.alpha_cutoff > 0.0f && m.base_color.a > 0.0f;
+    return tested ? std::optional(m.alpha_cutoff / m.base_color.a) : std::nullopt;
 }
 
 } // namespace
@@ -204,12 +203,12 @@ Bounds GpuScene::bounds_of(const std::vector<int>& instances) const {
 void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
     const std::byte white[4] = {std::byte{255}, std::byte{255}, std::byte{255}, std::byte{255}};
     gpu::Image no_texture = gpu.upload_image({.format = VK_FORMAT_R8G8B8A8_UNORM}, white, "no texture");
-    std::vector<gpu::Image> textures(scene_->textures.size());
-    auto bind = [&](const char* name, const TextureUse& use) -> gpu::Binding {
+    std::map<std::pair<int, std::optional<float>>, gpu::Image> textures;
+    auto bind = [&](const char* name, const TextureUse& use, std::optional<float> mask = {}) -> gpu::Binding {
         if (use.texture < 0) return {name, no_texture};
         const Texture& texture = scene_->textures[std::size_t(use.texture)];
-        gpu::Image& image = textures[std::size_t(use.texture)];
-        if (!image) image = upload_texture(gpu, texture, mipmaps);
+        gpu::Image& image = textures[{use.texture, mask}];
+        if (!image) image = upload_texture(gpu, texture, mipmaps, mask);
         return {name, image, texture.nearest ? gpu::Sampler::nearest_repeat : gpu::Sampler::linear_repeat};
     };
     for (const Material& m : scene_->materials) {
@@ -223,20 +222,22 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
         shared::MaterialRecord record = material_record(*scene_, m, mipmaps);
         gpu::Binding material = {"material",
                                  gpu.upload(std::span<const shared::MaterialRecord>(&record, 1), m.name)};
-        on_gpu.alpha = {material, bind(texture_slots[0].name, m.*texture_slots[0].use)};
+        const gpu::Binding base_color = bind(texture_slots[0].name, m.*texture_slots[0].use, mask_of(m));
+        const auto bind_slot = [&](const TextureSlot& slot) {
+            return &slot == &texture_slots[0] ? base_color : bind(slot.name, m.*slot.use);
+        };
+        on_gpu.alpha = {material, base_color};
         on_gpu.all = {material};
         std::size_t bound = on_gpu.kind == Surfaces::plain      ? 0
                             : on_gpu.kind == Surfaces::textured ? common_slots
                                                                 : std::size(texture_slots);
-        for (std::size_t i = 0; i < bound; ++i)
-            on_gpu.all.push_back(bind(texture_slots[i].name, m.*texture_slots[i].use));
+        for (std::size_t i = 0; i < bound; ++i) on_gpu.all.push_back(bind_slot(texture_slots[i]));
         if (m.has_relief()) {
             const gpu::Binding height = bind("height_texture", m.height_texture);
             on_gpu.displaced_alpha = on_gpu.alpha;
             on_gpu.displaced_alpha.push_back(height);
             on_gpu.displaced_all = {material, height};
-            for (const TextureSlot& slot : texture_slots)
-                on_gpu.displaced_all.push_back(bind(slot.name, m.*slot.use));
+            for (const TextureSlot& slot : texture_slots) on_gpu.displaced_all.push_back(bind_slot(slot));
         }
         materials_.push_back(std::move(on_gpu));
     }
