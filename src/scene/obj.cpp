@@ -17,6 +17,8 @@
 #include "scene/load_texture.h"
 #include "scene/mesh_attributes.h"
 #include "scene/obj_material.h"
+#include "scene/obj_normals.h"
+#include "scene/obj_statements.h"
 #include "scene/printable.h"
 #include "scene/validate.h"
 
@@ -47,37 +49,35 @@ public:
             missing.push_back(fmt::format("{}: no material library \"{}\"", name_, printable(file)));
             return false;
         }
+        statements.read({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, left_out);
         MemoryStream stream(*bytes);
         tinyobj::LoadMtl(names, materials, &stream, warning, error);
         return true;
     }
 
     std::vector<std::string> missing;
+    MtlStatements statements;
+    LeftOut left_out;
 
 private:
     const Folder& folder_;
     const std::string& name_;
 };
 
-// What the library does not refuse itself: it reads "nan" as 0 and an overflowing index as another one, and
-// cuts a polygon into triangles in time quadratic in its corners.
-void check_line(std::string_view line, std::size_t number, const std::string& name) {
-    constexpr std::string_view blanks = " \t\r";
-    const auto next_word = [&line, blanks] {
-        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-        const std::string_view word = line.substr(0, line.find_first_of(blanks));
-        line.remove_prefix(word.size());
-        return word;
-    };
-    const std::string_view kind = next_word();
+// What the library does not refuse itself: it reads "nan" as 0 and an
+// overflowing index as another one, and cuts a polygon into triangles in time
+// quadratic in its corners. It reads "s on" as a group without number, which is
+// none: that is rewritten in place.
+void check_line(std::string_view line, std::size_t number, const std::string& name, LeftOut& left_out) {
+    const std::string_view kind = next_word(line);
     if (kind == "v" || kind == "vn" || kind == "vt") {
-        for (std::string_view word = next_word(); !word.empty() && word[0] != '#'; word = next_word())
+        for (std::string_view word = next_word(line); !word.empty() && word[0] != '#'; word = next_word(line))
             if (word.find_first_of("0123456789") == word.npos)
                 fail(Fault::bad_input, "{}: line {}: \"{}\" is not a finite number", name, number,
                      printable(word));
     } else if (kind == "f") {
         std::size_t corners = 0;
-        for (std::string_view word = next_word(); !word.empty(); word = next_word(), ++corners)
+        for (std::string_view word = next_word(line); !word.empty(); word = next_word(line), ++corners)
             for (std::size_t i = 0, digits = 0; i < word.size(); ++i) {
                 digits = word[i] >= '0' && word[i] <= '9' ? digits + 1 : 0;
                 if (digits > 9) fail(Fault::bad_input, "{}: line {}: an index is too large", name, number);
@@ -85,14 +85,23 @@ void check_line(std::string_view line, std::size_t number, const std::string& na
         if (corners > max_face_corners)
             fail(Fault::bad_input, "{}: line {}: a face with more than {} corners", name, number,
                  max_face_corners);
+    } else if (kind != "s" && kind != "o" && kind != "g" && kind != "usemtl" && kind != "mtllib" &&
+               kind != "l" && kind != "p" && !kind.empty() && kind[0] != '#') {
+        left_out.add(kind);
     }
 }
 
-void check_lines(std::string_view text, const std::string& name) {
+void check_lines(std::span<std::uint8_t> bytes, const std::string& name, LeftOut& left_out) {
+    char* const begin = reinterpret_cast<char*>(bytes.data());
+    std::string_view text(begin, bytes.size());
     for (std::size_t number = 1; !text.empty(); ++number) {
-        const std::size_t length = std::min(text.find('\n'), text.size());
-        check_line(text.substr(0, length), number, name);
-        text.remove_prefix(std::min(length + 1, text.size()));
+        std::string_view line = next_line(text);
+        check_line(line, number, name, left_out);
+        if (next_word(line) != "s") continue;
+        if (const std::string_view group = next_word(line); group == "on") {
+            char* at = begin + (group.data() - begin);
+            at[0] = '1', at[1] = ' ';
+        }
     }
 }
 
@@ -101,6 +110,8 @@ struct Source {
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
+    MtlStatements statements;
+    LeftOut left_out;
     std::vector<std::string> warnings;
 };
 
@@ -109,10 +120,10 @@ Source read_source(const std::filesystem::path& path, const Folder& folder) {
     source.name = printable(path.string(), longest_path);
     std::vector<std::uint8_t> text = read_file(path, max_obj_bytes);
     if (text.empty()) fail(Fault::bad_input, "{}: the file is empty", source.name);
-    check_lines({reinterpret_cast<const char*>(text.data()), text.size()}, source.name);
+    FolderMaterials reader(folder, source.name);
+    check_lines(text, source.name, reader.left_out);
 
     MemoryStream stream(text);
-    FolderMaterials reader(folder, source.name);
     std::string warning, error;
     const bool read = tinyobj::LoadObj(&source.attributes, &source.shapes, &source.materials, &warning,
                                        &error, &stream, &reader, true, false);
@@ -121,6 +132,8 @@ Source read_source(const std::filesystem::path& path, const Folder& folder) {
         fail(Fault::bad_input, "{}: {}", source.name, error.empty() ? "not a valid OBJ file" : error);
     }
     source.warnings = std::move(reader.missing);
+    source.statements = std::move(reader.statements), source.left_out = std::move(reader.left_out);
+    add_missing_normals(source.attributes, source.shapes);
     return source;
 }
 
@@ -138,13 +151,9 @@ public:
         mesh_.indices.push_back(entry->second);
     }
 
-    // Flat normals where the file gives none for some corner; no texture coordinates unless all have them.
+    // No texture coordinates unless all corners have them.
     Mesh finish(const Material& material) {
         if (!all_uvs_) mesh_.texcoords[0].clear();
-        if (!all_normals_) {
-            mesh_.normals.clear();
-            make_flat(mesh_);
-        }
         repair_normals(mesh_);
         if (material.normal_texture.texture >= 0) make_tangents(mesh_, 0, material.normal_texture.transform);
         return std::move(mesh_);
@@ -168,7 +177,8 @@ private:
         }
     };
 
-    // Entry `index` of a flat array of N floats each; the library does not check indices.
+    // Entry `index` of a flat array of N floats each; the library does not check
+    // indices.
     template <int N>
     glm::vec<N, float> fetch(const std::vector<float>& values, int index, const char* what) const {
         if (index < 0 || std::size_t(index) >= values.size() / N)
@@ -186,15 +196,17 @@ private:
     void add_vertex(const tinyobj::index_t& corner) {
         const auto& a = source_.attributes;
         mesh_.positions.push_back(fetch<3>(a.vertices, corner.vertex_index, "vertex"));
-        all_normals_ = all_normals_ && corner.normal_index >= 0;
-        if (all_normals_) mesh_.normals.push_back(fetch<3>(a.normals, corner.normal_index, "normal"));
+        // Only beside a vertex out of range, which is an error soon.
+        const bool none = corner.normal_index < 0;
+        mesh_.normals.push_back(none ? glm::vec3(0.0f) : fetch<3>(a.normals, corner.normal_index, "normal"));
         all_uvs_ = all_uvs_ && corner.texcoord_index >= 0;
         if (all_uvs_) {
             // OBJ counts v from the bottom of the image, scenes from the top.
             const glm::vec2 uv = fetch<2>(a.texcoords, corner.texcoord_index, "texture coordinate");
             mesh_.texcoords[0].push_back({uv.x, 1.0f - uv.y});
         }
-        // Vertex colors are an extension; they are stored only when every vertex has one.
+        // Vertex colors are an extension; they are stored only when every vertex
+        // has one.
         if (a.colors.size() == a.vertices.size() && !a.colors.empty())
             mesh_.colors.push_back(glm::vec4(fetch<3>(a.colors, corner.vertex_index, "color"), 1.0f));
     }
@@ -202,10 +214,11 @@ private:
     const Source& source_;
     Mesh mesh_;
     std::unordered_map<Key, std::uint32_t, Hash> vertices_;
-    bool all_normals_ = true, all_uvs_ = true;
+    bool all_uvs_ = true;
 };
 
-// One mesh per material of the shape, in the order in which the faces name them.
+// One mesh per material of the shape, in the order in which the faces name
+// them.
 void add_shape(Scene& scene, const Source& source, const tinyobj::shape_t& shape) {
     const std::string name = printable(shape.name);
     const int default_material = int(scene.materials.size()) - 1;
@@ -242,7 +255,8 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options) {
     scene.name = path.stem().string();
     scene.warnings = std::move(source.warnings);
     if (options.strict && !scene.warnings.empty()) fail(Fault::bad_input, "{}", scene.warnings.front());
-    read_obj_materials(scene, source.materials, folder, source.name, options);
+    read_obj_materials(scene, source.materials, source.statements, source.left_out, folder, source.name,
+                       options);
     std::size_t skipped = 0;
     for (const tinyobj::shape_t& shape : source.shapes) {
         add_shape(scene, source, shape);
@@ -250,6 +264,8 @@ Scene load_obj(const std::filesystem::path& path, const LoadOptions& options) {
     }
     if (skipped > 0)
         scene.warnings.push_back(fmt::format("{}: {} points and lines are not drawn", source.name, skipped));
+    if (const std::string sentence = source.left_out.sentence(); !sentence.empty())
+        scene.warnings.push_back(source.name + ": " + sentence);
     validate_scene(scene, source.name);
     return scene;
 }
