@@ -109,16 +109,10 @@ Image display_values(const Pixels& pixels) {
     return image;
 }
 
-Image alpha_values(const Pixels8& pixels) {
+Image alpha_values(const Pixels& pixels) {
     Image alpha(pixels.width, pixels.height, 1);
-    for (std::size_t i = 0; i < alpha.pixels(); ++i) alpha.data[i] = float(pixels.rgba[4 * i + 3]) / 255.0f;
+    for (std::size_t i = 0; i < alpha.pixels(); ++i) alpha.data[i] = pixels.value(4 * i + 3);
     return alpha;
-}
-
-// What the header of a PNG says.
-bool has_16_bits(const std::vector<std::uint8_t>& bytes) {
-    constexpr std::size_t depth = 24; // behind signature, length, "IHDR", width and height
-    return begins_with(bytes, "\x89PNG") && bytes.size() > depth && bytes[depth] == 16;
 }
 
 // A file with its name, for sentences.
@@ -247,12 +241,10 @@ ImageFile read_image_file(const std::filesystem::path& file, const std::string& 
     else if (begins_with(bytes, "#?"))
         out = {.image = three_channels(decode_hdr(bytes, file.string())), .radiance = true};
     else {
-        const Pixels8 pixels = decode_pixels(bytes, file.string());
+        const Pixels pixels = decode_pixels(bytes, file.string());
         out.image = display_values(pixels);
         if (pixels.has_alpha) out.alpha = alpha_values(pixels);
-        if (has_16_bits(bytes))
-            out.warnings.push_back(
-                fmt::format("{} holds 16 bits a channel, of which the upper 8 are compared", file.string()));
+        if (!pixels.remark.empty()) out.warnings.push_back(file.string() + ": " + pixels.remark);
     }
     if (out.mask.empty()) out.mask = Image(out.image.width, out.image.height, 1, 1.0f);
     return out;
