@@ -80,6 +80,7 @@ void run(const Options& o, const Global& global) {
     const Scene scene = load(o.scene, global);
     const Rendered rendered = render(scene, o, frame, row);
     const RenderResult& result = rendered.last;
+    print_warnings(result.warnings);
     const Image& picture = o.image.empty() ? result.radiance : result.images.at(o.image);
     // Images of another size than the frame's have no mask.
     const bool masked = picture.width == result.mask.width && picture.height == result.mask.height;

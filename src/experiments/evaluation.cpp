@@ -108,6 +108,9 @@ ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const 
     ViewResult view;
     view.camera = task.camera;
     view.width = task.width, view.height = task.height;
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        for (const std::string& warning : frames[r].last.warnings)
+            view.warnings.push_back(fmt::format("{}: {}", rows[r].label, warning));
     const Truth found = judge_view(stage.rays, truth, task, stage.cache, view.warnings);
     view.reference_spp = found.spp;
     view.reference_seconds = found.seconds;

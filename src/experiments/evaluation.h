@@ -52,7 +52,7 @@ struct ViewResult {
     bool reference_cached = false;
     std::vector<RowResult> rows;       // the baseline first
     nlohmann::ordered_json pictures;   // for the page, see result_files.h; null = none
-    std::vector<std::string> warnings; // of its truth
+    std::vector<std::string> warnings; // of its truth and its rows
 };
 
 struct RowName {

@@ -40,8 +40,8 @@ TechniqueRow parse_use(std::string_view text) {
         std::unique_ptr<Technique> technique = make_technique(specification);
 
         for (const auto& other : row.techniques)
-            if (other->slot() == technique->slot())
-                fail(Fault::usage, "--use {}: two techniques in the slot '{}'", text,
+            if (other->slot() == technique->slot() && other->receivers() == technique->receivers())
+                fail(Fault::usage, "--use {}: two techniques in the slot '{}' light the same surfaces", text,
                      slot_name(technique->slot()));
         const std::string prefix = parts.size() > 1 ? specification.name + "." : "";
         for (ParameterInfo& p : parameters_of(*technique)) {

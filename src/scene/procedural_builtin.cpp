@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "scene/load.h"
 #include "scene/procedural.h"
+#include "scene/procedural_interiors.h"
 
 namespace luxel {
 namespace {
@@ -51,6 +52,10 @@ std::vector<Entry> base_entries() {
          [] { return occluded_ring(); }},
         {"bunnies-ring", "three solids with ears and a ring, spot light, 208 622 triangles",
          [] { return bunnies_ring(); }},
+        {"lamp-room", "bulb in an opaque shade, in a room", lamp_room},
+        {"classroom", "desks and chairs beside open windows, sun and sky", classroom},
+        {"glazed-room", "room behind panes of thin glass, sun and sky", glazed_room},
+        {"torus-in-glass", "diffuse torus in a block of glass, spot light", torus_in_glass},
         moving("water", "wavy water in a room, spot light, cameras below and above its surface", water),
         moving("water-room", "shallow water in a room, spot light, 1932 triangles", water_room),
         moving("pool", "basin of water to place in other scenes", pool),

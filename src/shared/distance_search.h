@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rays against surfaces that are known as distances from a center in each direction, layer by layer
 // [Umenhoffer2009, 2.3.2, 5.1.2]. Positions are relative to the center, rays are x + d r with unit r. The
-// including file defines the two functions declared first.
+// including file defines the three functions declared first.
 #ifndef LUXEL_SHARED_DISTANCE_SEARCH_H
 #define LUXEL_SHARED_DISTANCE_SEARCH_H
 #include "shared/glsl.h"
@@ -11,15 +11,17 @@ LUXEL_BEGIN
 float surface_distance(vec3 direction, int layer);
 // Whether a ray along r that reaches the surface at p has hit it: it may face the wrong way.
 bool surface_counts(vec3 p, vec3 r, int layer);
+// Normal of that surface, on either side and of any length.
+vec3 surface_normal(vec3 direction, int layer);
 
 LUXEL_CONST int REFINE_NONE = 0;
 LUXEL_CONST int REFINE_SECANT = 1;
 LUXEL_CONST int REFINE_BINARY = 2;
 
 struct DistanceSearch {
-    int linear;  // steps at most, for a ray that turns by 180 degrees as seen from the center
-    int refine;  // steps of refinement at most
-    float jump;  // change of distance over the texel before and the one after, as a share, that is no surface
+    int linear; // steps at most, for a ray that turns by 180 degrees as seen from the center
+    int refine; // steps of refinement at most
+    float jump; // distance off the surface's plane, or change of distance, over two texels, as a share: a gap
     float texel; // radians
 };
 
@@ -78,7 +80,8 @@ LUXEL_FN float refine_hit(vec3 x, vec3 r, int layer, float d0, float e0, float d
     return d;
 }
 
-// Two texels apart on the ray's way as seen from the center, a surface has nearly one distance; the linear
+// Two texels apart on the ray's way as seen from the center, a surface has nearly one distance, or distances
+// that lie on the plane of its normal, as a floor has that the center sees at a grazing angle. The linear
 // filter makes a wall of a gap that the search would hit otherwise.
 LUXEL_FN bool is_surface(vec3 p, vec3 r, int layer, DistanceSearch s) {
     float distance = length(p);
@@ -88,7 +91,13 @@ LUXEL_FN bool is_surface(vec3 p, vec3 r, int layer, DistanceSearch s) {
     along = along * (distance * s.texel / length_along);
     float before = surface_distance(p - along, layer);
     float after = surface_distance(p + along, layer);
-    return max(before, after) < (1.0f + s.jump) * min(before, after);
+    if (max(before, after) < (1.0f + s.jump) * min(before, after)) return true;
+    vec3 n = surface_normal(p, layer);
+    float facing_before = dot(n, normalize(p - along));
+    float facing_after = dot(n, normalize(p + along));
+    if (facing_before * facing_after <= 0.0f) return false;
+    float on_plane = before * facing_before / facing_after;
+    return max(on_plane, after) < (1.0f + s.jump) * min(on_plane, after);
 }
 
 // First hit of a layer within a range. Without refinement it is the first step behind the surface.

@@ -16,9 +16,11 @@ namespace luxel::shared {
 namespace {
 std::function<float(vec3)> surface; // what the tests search
 std::function<bool(vec3, vec3)> counts;
+std::function<vec3(vec3)> normal = [](vec3 d) { return d; };
 } // namespace
 float surface_distance(vec3 direction, int) { return surface(normalize(direction)); }
 bool surface_counts(vec3 p, vec3 r, int) { return !counts || counts(p, r); }
+vec3 surface_normal(vec3 direction, int) { return normal(normalize(direction)); }
 
 namespace {
 
@@ -174,6 +176,39 @@ TEST(DistanceSearch, FacingDecidesWhatCounts) {
     const RayHit hit = search_layer(x, in, entering, 0, REFINE_SECANT, s);
     ASSERT_EQ(hit.layer, 0);
     EXPECT_NEAR(hit.d, -2.0f * dot(x, in), 1e-3f);
+}
+
+// A floor that the center sees at a grazing angle: its distance doubles over two texels.
+TEST(DistanceSearch, AGrazingPlaneIsNoGap) {
+    constexpr float depth = 0.1f;
+    surface = [](vec3 d) { return d.y < 0.0f ? depth / -d.y : 1e3f; };
+    normal = [](vec3) { return vec3(0, 1, 0); };
+    counts = nullptr;
+    const DistanceSearch s{.linear = 64, .refine = 8, .jump = 0.3f, .texel = 2.0f / 128.0f};
+    for (float far : {0.5f, 1.0f, 2.0f, 3.0f}) {
+        const vec3 x(0.0f, 0.3f, 0.1f), r = normalize(vec3(far, -depth, 0.3f) - x);
+        const RayHit hit = search_layer(x, r, range_between(x, r, depth, 4.0f), 0, REFINE_SECANT, s);
+        ASSERT_EQ(hit.layer, 0) << far;
+        EXPECT_NEAR((x + r * hit.d).y, -depth, 1e-4f) << far;
+    }
+    normal = [](vec3 d) { return d; };
+}
+
+// A plate before a wall, both facing the center: the filter fills the texel between them, which is no surface
+// of either.
+TEST(DistanceSearch, AGapBesideAPlateIsNoPlane) {
+    constexpr float edge = 0.2f, texel = 2.0f / 128.0f;
+    surface = [](vec3 d) {
+        const float share = clamp((d.y - edge) / texel, 0.0f, 1.0f);
+        return (1.0f + 2.0f * share) / std::max(d.x, 0.1f);
+    };
+    normal = [](vec3) { return vec3(-1, 0, 0); };
+    counts = nullptr;
+    const DistanceSearch s{.linear = 64, .refine = 8, .jump = 0.3f, .texel = texel};
+    const vec3 x(2.0f, -0.5f, 0.0f), r(0, 1, 0); // behind the plate, past its edge
+    const RayHit hit = search_layer(x, r, range_between(x, r, 0.9f, 3.5f), 0, REFINE_SECANT, s);
+    EXPECT_EQ(hit.layer, -1);
+    normal = [](vec3 d) { return d; };
 }
 
 } // namespace

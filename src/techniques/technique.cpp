@@ -13,7 +13,7 @@ namespace luxel {
 
 std::string_view slot_name(Slot slot) {
     static constexpr std::string_view names[] = {"surface",  "shadow",   "occlusion", "diffuse",
-                                                 "specular", "caustics", "media",     "post"};
+                                                 "caustics", "specular", "media",     "post"};
     return names[std::size_t(slot)];
 }
 

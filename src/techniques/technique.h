@@ -14,15 +14,22 @@
 
 namespace luxel {
 
+struct Capture;
 struct Frame;
 
-// Order of composition; two techniques for one slot is an error.
-enum class Slot { surface, shadow, occlusion, diffuse, specular, caustics, media, post };
+// Order of rendering and composition. Two techniques for one slot is an error, unless they have different
+// receivers.
+enum class Slot { surface, shadow, occlusion, diffuse, caustics, specular, media, post };
 std::string_view slot_name(Slot slot);
+
+// Which surfaces a technique lights: all, or those of objects whose role begins with "dynamic"
+// (scene/roles.h). In a slot that has one of each, the former leaves the latter's surfaces to it.
+enum class Receivers { all, dynamic_objects };
 
 struct Contribution {
     gpu::Image radiance;      // RGBA32F, frame size, added to the frame; rgb may be negative; may be empty
     gpu::Image accessibility; // R32F, frame size, multiplies the ambient term; may be empty (= 1)
+    bool from_afar = false;   // the accessibility of the occlusion slot multiplies `radiance`, too
 };
 
 class Technique {
@@ -32,6 +39,13 @@ public:
     virtual void visit(Visitor&) {}                  // knobs: see core/parameters.h
     virtual void prepare(gpu::Gpu&, const Scene&) {} // once per scene
     virtual Contribution render(gpu::Recorder& recorder, const Frame& frame) = 0; // once per frame
+
+    virtual Receivers receivers() const { return Receivers::all; }
+    // Adds to `direct` of other views of the scene what render() of the same frame lights there: mirrors and
+    // glass show them. Slots up to caustics. Nothing where the technique knows only what the camera sees.
+    virtual void light(gpu::Recorder&, const Frame&, const std::vector<Capture>&) {}
+    // After render(): what it left out or merged, one sentence each.
+    virtual std::vector<std::string> warnings() const { return {}; }
 
     // Slot::surface only: how height maps are searched while the frame, its shadow maps and every other
     // capture of the scene are drawn, before any render(). Without one they are not looked at.

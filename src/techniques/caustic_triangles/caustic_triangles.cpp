@@ -9,9 +9,9 @@ namespace {
 enum class CausticArea { third, thesis };
 enum class CausticRim { splat, flux, density }; // CAUSTIC_RIM_*
 
-class CausticTriangles final : public Technique {
+class CausticTriangles final : public CausticTechnique {
 public:
-    Slot slot() const override { return Slot::caustics; }
+    CausticTriangles() : CausticTechnique("caustic_triangles") {}
     void visit(Visitor& v) override {
         options_.visit(v);
         v.choice("area", area_, {"third", "thesis"},
@@ -23,17 +23,10 @@ public:
                "share of its distance that the middle of a triangle may be off the surface");
         v.real("least", least_, {0, 100}, "texels below which a triangle is not drawn");
     }
-    void prepare(gpu::Gpu&, const Scene& scene) override { objects_ = specular_objects(scene); }
-    Contribution render(gpu::Recorder& recorder, const Frame& frame) override {
-        auto scope = recorder.scope("caustic_triangles");
-        return caustics(recorder, frame, objects_, options_,
-                        [&](gpu::Recorder& r, const Photons& photons, const DistanceCube& receivers,
-                            const std::vector<CausticFace>& faces) { draw(r, photons, receivers, faces); });
-    }
 
 private:
     void draw(gpu::Recorder& recorder, const Photons& photons, const DistanceCube& receivers,
-              const std::vector<CausticFace>& faces) const {
+              const std::vector<CausticFace>& faces) const override {
         const shared::CausticAreaParams p{.photons = photons.side,
                                           .size = options_.size,
                                           .tear = tear_,
@@ -67,12 +60,10 @@ private:
         }
     }
 
-    CausticOptions options_;
     CausticArea area_ = CausticArea::third;
     CausticRim rim_ = CausticRim::splat;
     float tear_ = 0.3f;
     float least_ = 0.1f;
-    std::vector<SceneObject> objects_;
 };
 
 } // namespace

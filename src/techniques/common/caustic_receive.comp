@@ -13,7 +13,17 @@ layout(binding = 3) uniform sampler2D diffuse;
 layout(binding = 4) uniform samplerCube distance_map;
 layout(binding = 5) uniform samplerCube caustic;
 layout(binding = 6, rgba32f) uniform image2D radiance;
-#include "techniques/common/caustic_receive.glsl"
+
+// Irradiance at x, relative to the center, on a surface with normal n: 0 where x is not what the center sees. texel: of the
+// distance map, radians.
+vec3 caustic_irradiance(vec3 x, vec3 n, float texel) {
+    float distance = length(x), facing = abs(dot(n, x)) / distance;
+
+    // On one surface the distance changes by this much over two texels.
+    float tolerance = 0.01 + 2.0 * texel / max(facing, 0.05);
+    if (abs(distance / textureLod(distance_map, x, 0.0).r - 1.0) > tolerance) return vec3(0);
+    return textureLod(caustic, x, 0.0).rgb;
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -22,6 +32,6 @@ void main() {
     if (z <= 0.0) return;
     vec3 x = world_position(p.view, vec2(pixel) + 0.5, z) - p.center;
     vec3 irradiance = caustic_irradiance(x, texelFetch(geometric_normal, pixel, 0).xyz, p.texel);
-    vec3 before = imageLoad(radiance, pixel).rgb;
-    imageStore(radiance, pixel, vec4(before + texelFetch(diffuse, pixel, 0).rgb / PI * irradiance, 1));
+    vec3 reflected = texelFetch(diffuse, pixel, 0).rgb / PI * irradiance;
+    imageStore(radiance, pixel, imageLoad(radiance, pixel) + vec4(reflected, 0));
 }

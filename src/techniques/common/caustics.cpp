@@ -14,7 +14,6 @@ void CausticOptions::visit(Visitor& v) {
     v.integer("caustic_size", size, {16, 2048}, "texels a side of the caustic cube map");
     v.flag("mirrored", mirrored, "also photons that glass reflects at its first surface");
     lights.visit(v);
-    v.flag("reflected", reflected, "also where mirrors and glass show what photons light");
 }
 
 namespace {
@@ -73,13 +72,6 @@ bool any_refracts(const Scene& scene, const std::vector<SceneObject>& objects) {
     return false;
 }
 
-// What photons light around one center.
-struct CausticMap {
-    TracedCube traced;
-    DistanceCube receivers;
-    gpu::Image irradiance; // cube
-};
-
 std::vector<CausticFace> faces_of(const gpu::Image& caustic, const CausticOptions& options) {
     std::vector<CausticFace> faces;
     for (int face = 0; face < 6; ++face) {
@@ -96,50 +88,11 @@ std::vector<CausticFace> faces_of(const gpu::Image& caustic, const CausticOption
     return faces;
 }
 
-struct CausticRequest {
-    const std::vector<SceneObject>& specular;
-    const CausticOptions& options;
-    const CausticDraw& draw;
-    std::vector<shared::Light> lights;
-    std::vector<Bounds> boxes; // of the maps
-};
-
-// Photons of all lights by way of the object objects.own.
-CausticMap caustic_map(gpu::Recorder& recorder, const Frame& frame, const CausticRequest& request,
-                       const shared::CubeObjects& objects) {
-    const CausticOptions& options = request.options;
-    const Bounds& box = request.boxes[std::size_t(objects.own)];
-    const TracedCube traced =
-        capture_traced_cube(recorder, frame, request.specular, box.center(), options.cube, CubeSearch::secant,
-                            "caustics " + std::to_string(objects.own) + " ");
-    const std::uint32_t size = std::uint32_t(options.size);
-    const CausticMap map = {traced, traced.cube.layer(traced.params.near_layers),
-                            recorder.image({.width = size,
-                                            .height = size,
-                                            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                                            .layers = 6,
-                                            .cube = true},
-                                           "caustic cube")};
-    recorder.clear(map.irradiance, {});
-    const std::vector<CausticFace> faces = faces_of(map.irradiance, options);
-    const bool refracts = any_refracts(frame.scene->scene(), request.specular);
-    for (const shared::Light& light : request.lights) {
-        shared::CausticPhotonParams p{
-            .view = light_view(light, box, frame.scene->bounds().radius(), options.photons),
-            .cube = traced.params,
-            .objects = objects,
-            .light = light};
-        const Capture seen = frame.capture_surfaces(recorder, {.view = p.view, .prefix = "caustics light "});
-        for (p.mirrored = 0; p.mirrored <= (refracts && options.mirrored ? 1u : 0u); ++p.mirrored)
-            request.draw(recorder, trace_photons(recorder, seen, traced, p), map.receivers, faces);
-    }
-    return map;
-}
-
-// Adds to `radiance` what visible surfaces reflect.
-void receive(gpu::Recorder& recorder, const Frame& frame, const CausticMap& map, const gpu::Image& radiance) {
-    const shared::CausticReceiveParams p{frame.view, map.receivers.center, map.traced.params.search.texel};
-    const GBuffer& g = frame.gbuffer;
+// Adds to `radiance` what the surfaces of a view reflect.
+void receive(gpu::Recorder& recorder, const Capture& seen, const CausticMap& map,
+             const gpu::Image& radiance) {
+    const shared::CausticReceiveParams p{seen.view, map.receivers.center, map.texel};
+    const GBuffer& g = seen.gbuffer;
     recorder.dispatch("common/caustic_receive.comp", extent_of(radiance), p,
                       {{"depth", g.depth},
                        {"geometric_normal", g.geometric_normal},
@@ -149,55 +102,67 @@ void receive(gpu::Recorder& recorder, const Frame& frame, const CausticMap& map,
                        {"radiance", radiance}});
 }
 
-// The cube of `maps[own]` again, its radiance that of all caustics on its far layer alone.
-TracedCube caustics_around(gpu::Recorder& recorder, const std::vector<CausticMap>& maps, std::size_t own) {
-    TracedCube traced = maps[own].traced;
-    const DistanceCube& receivers = maps[own].receivers;
-    traced.cube.radiance = recorder.image({.width = std::uint32_t(receivers.size),
-                                           .height = std::uint32_t(receivers.size),
-                                           .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                                           .layers = std::uint32_t(6 * traced.cube.layers),
-                                           .cube = true},
-                                          "caustic radiance");
-    recorder.clear(traced.cube.radiance, {});
-    const std::uint32_t far = std::uint32_t(6 * traced.params.near_layers);
-    for (const CausticMap& map : maps)
-        for (std::uint32_t face = 0; face < 6; ++face) {
-            const shared::CausticRadianceParams p{int(face), receivers.center - map.receivers.center,
-                                                  map.traced.params.search.texel};
-            const gpu::Image to = traced.cube.radiance.layer(far + face);
-            recorder.dispatch("common/caustic_radiance.comp", extent_of(to), p,
-                              {{"distance_from_center", receivers.distance.mip(0).layer(face)},
-                               {"normal", receivers.normal.layer(face)},
-                               {"material", receivers.material.layer(face)},
-                               {"distance_map", map.receivers.distance, gpu::Sampler::linear_clamp},
-                               {"caustic", map.irradiance, gpu::Sampler::linear_clamp},
-                               {"radiance", to}});
-        }
-    return traced;
-}
-
 } // namespace
 
-Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
-                      const CausticOptions& options, const CausticDraw& draw) {
+struct CausticTechnique::Request {
+    std::vector<shared::Light> lights;
+    std::vector<Bounds> boxes; // of the maps
+    bool refracts;             // any object does
+};
+
+void CausticTechnique::prepare(gpu::Gpu&, const Scene& scene) { objects_ = specular_objects(scene); }
+
+// Photons of all lights by way of the object objects.own.
+CausticMap CausticTechnique::map_of(gpu::Recorder& recorder, const Frame& frame, const Request& request,
+                                    const shared::CubeObjects& objects) const {
+    const Bounds& box = request.boxes[std::size_t(objects.own)];
+    const TracedCube traced =
+        capture_traced_cube(recorder, frame, objects_, box.center(), options_.cube, CubeSearch::secant,
+                            CubeRadiance::emitted, "caustics " + std::to_string(objects.own) + " ");
+    const std::uint32_t size = std::uint32_t(options_.size);
+    const CausticMap map = {traced.cube.layer(traced.params.near_layers), traced.params.search.texel,
+                            recorder.image({.width = size,
+                                            .height = size,
+                                            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                            .layers = 6,
+                                            .cube = true},
+                                           "caustic cube")};
+    recorder.clear(map.irradiance, {});
+    const std::vector<CausticFace> faces = faces_of(map.irradiance, options_);
+    for (const shared::Light& light : request.lights) {
+        shared::CausticPhotonParams p{
+            .view = light_view(light, box, frame.scene->bounds().radius(), options_.photons),
+            .cube = traced.params,
+            .objects = objects,
+            .light = light};
+        const Capture seen = frame.capture_surfaces(recorder, {.view = p.view, .prefix = "caustics light "});
+        for (p.mirrored = 0; p.mirrored <= (request.refracts && options_.mirrored ? 1u : 0u); ++p.mirrored)
+            draw(recorder, trace_photons(recorder, seen, traced, p), map.receivers, faces);
+    }
+    return map;
+}
+
+Contribution CausticTechnique::render(gpu::Recorder& recorder, const Frame& frame) {
+    auto scope = recorder.scope(name_);
     gpu::Image radiance = recorder.image(
         {.width = frame.width, .height = frame.height, .format = VK_FORMAT_R32G32B32A32_SFLOAT}, "caustics");
     recorder.clear(radiance, {0, 0, 0, 1});
-    const CausticRequest request{specular, options, draw,
-                                 lights_with_samples(frame.scene->scene(), options.lights),
-                                 bounds_of_maps(*frame.scene, specular, options.cube.maps)};
+    const Scene& scene = frame.scene->scene();
+    const Request request{lights_with_samples(scene, options_.lights),
+                          bounds_of_maps(*frame.scene, objects_, options_.cube.maps),
+                          any_refracts(scene, objects_)};
     shared::CubeObjects objects = cube_objects(request.boxes);
-    std::vector<CausticMap> maps; // kept only where mirrors look at them
+    maps_.clear();
     for (objects.own = 0; objects.own < objects.count; ++objects.own) {
-        const CausticMap map = caustic_map(recorder, frame, request, objects);
-        receive(recorder, frame, map, radiance);
-        if (options.reflected) maps.push_back(map);
+        maps_.push_back(map_of(recorder, frame, request, objects));
+        receive(recorder, frame, maps_.back(), radiance);
     }
-    for (objects.own = 0; objects.own < int(maps.size()); ++objects.own)
-        trace_view(recorder, frame, caustics_around(recorder, maps, std::size_t(objects.own)), objects, {},
-                   radiance);
     return {.radiance = radiance};
+}
+
+void CausticTechnique::light(gpu::Recorder& recorder, const Frame&, const std::vector<Capture>& captures) {
+    for (const CausticMap& map : maps_)
+        for (const Capture& capture : captures) receive(recorder, capture, map, capture.direct);
 }
 
 void splat_photons(gpu::Recorder& recorder, const Photons& photons, const gpu::Image& powers,

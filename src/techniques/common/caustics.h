@@ -2,7 +2,7 @@
 // Caustics by photons that are traced through a distance cube, collected in a cube map and projected on what
 // is seen [Umenhoffer2009, chapter 6]. Techniques differ in how they make irradiance of photons.
 #pragma once
-#include <functional>
+#include <vector>
 
 #include "techniques/common/caustics_params.h"
 #include "techniques/common/cube_trace.h"
@@ -16,7 +16,6 @@ struct CausticOptions {
     int photons = 256; // a side of the photon image of each light and object
     int size = 256;    // texels a side of the caustic cube map
     bool mirrored = true;
-    bool reflected = false;
     LightSamples lights;
     void visit(Visitor& v);
 };
@@ -33,13 +32,41 @@ struct CausticFace {
     shared::CausticFaceParams params;
 };
 
-// Draws photons on all faces; called for each photon image.
-using CausticDraw = std::function<void(gpu::Recorder&, const Photons&, const DistanceCube& receivers,
-                                       const std::vector<CausticFace>& faces)>;
+// What photons light around one center.
+struct CausticMap {
+    DistanceCube receivers; // one layer
+    float texel = 0.0f;     // of its distances, radians
+    gpu::Image irradiance;  // cube
+};
 
 // Of the scene's own lights, samples of its emitters and of its environment, as they stand in this frame.
-Contribution caustics(gpu::Recorder& recorder, const Frame& frame, const std::vector<SceneObject>& specular,
-                      const CausticOptions& options, const CausticDraw& draw);
+class CausticTechnique : public Technique {
+public:
+    Slot slot() const override { return Slot::caustics; }
+    void prepare(gpu::Gpu& gpu, const Scene& scene) override;
+    Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
+    void light(gpu::Recorder& recorder, const Frame& frame, const std::vector<Capture>& captures) override;
+    std::vector<std::string> warnings() const override {
+        return shared_maps_warning(objects_, options_.cube.maps);
+    }
+
+protected:
+    explicit CausticTechnique(const char* name) : name_(name) {}
+    // Draws photons on all faces; called for each photon image.
+    virtual void draw(gpu::Recorder& recorder, const Photons& photons, const DistanceCube& receivers,
+                      const std::vector<CausticFace>& faces) const = 0;
+
+    CausticOptions options_;
+
+private:
+    struct Request;
+    CausticMap map_of(gpu::Recorder& recorder, const Frame& frame, const Request& request,
+                      const shared::CubeObjects& objects) const;
+
+    const char* name_; // of its passes
+    std::vector<SceneObject> objects_;
+    std::vector<CausticMap> maps_; // of the latest frame
+};
 
 // As cones of that radius in texels, or of the area that a power's a tells, m2, where that is larger.
 void splat_photons(gpu::Recorder& recorder, const Photons& photons, const gpu::Image& powers,

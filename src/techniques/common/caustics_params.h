@@ -34,12 +34,6 @@ struct CausticReceiveParams {
     float texel; // of the distance map, radians
 };
 
-struct CausticRadianceParams {
-    int face;
-    vec3 offset; // center of the face's cube, relative to that of the caustic
-    float texel; // of the caustic's distance map, radians
-};
-
 // Area on a surface with normal n that a texel of solid angle `solid` shows in the direction of p, m2.
 LUXEL_FN float texel_area(vec3 p, vec3 n, float solid) {
     float d = length(p);

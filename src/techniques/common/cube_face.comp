@@ -21,12 +21,7 @@ layout(binding = 9, rgba32f) uniform writeonly image2D radiance;
 layout(binding = 10, rgba16f) uniform writeonly image2D normal;
 layout(binding = 11, rgba16f) uniform writeonly image2D material;
 layout(binding = 12, r32f) uniform writeonly image2D distance_from_center;
-
-vec3 sky(vec3 direction) {
-    ivec2 size = textureSize(environment, 0);
-    ivec2 texel = ivec2(environment_uv(direction, p.environment_rotation) * vec2(size));
-    return texelFetch(environment, clamp(texel, ivec2(0), size - 1), 0).rgb * p.environment_scale;
-}
+#include "techniques/frame/sky.glsl"
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -36,7 +31,9 @@ void main() {
     float z = texelFetch(depth, pixel, 0).r;
 
     // The pixel's ray has the component 1 along the view, so the point is z times it from the center.
-    vec4 out_radiance = vec4(sky(direction), 0.0), out_normal = vec4(0.0), out_material = vec4(0.0);
+    vec4 out_radiance =
+             vec4(sky_radiance(environment, direction, p.environment_rotation, p.environment_scale), 0.0),
+         out_normal = vec4(0.0), out_material = vec4(0.0);
     float out_distance = p.background;
     if (z > 0.0) {
         float side = texelFetch(geometric_normal, pixel, 0).a < 0.0 ? -1.0 : 1.0;

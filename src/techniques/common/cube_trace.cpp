@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/common/cube_trace.h"
 
+#include <algorithm>
 #include <bit>
 
-#include "core/error.h"
+#include <fmt/core.h>
+
 #include "techniques/common/cube_view_params.h"
 
 namespace luxel {
@@ -29,22 +31,53 @@ void CubePathOptions::visit(Visitor& v) {
     v.flag("both", both, "follow reflection and refraction; off: the greater of them");
 }
 
+namespace {
+
+Bounds union_of(const std::vector<Bounds>& boxes) {
+    Bounds all;
+    for (const Bounds& b : boxes) all.add(b.least), all.add(b.most);
+    return all;
+}
+
+} // namespace
+
+std::vector<Bounds> group_boxes(const std::vector<Bounds>& boxes, std::size_t most) {
+    std::vector<std::vector<Bounds>> groups;
+    if (!boxes.empty()) groups.push_back(boxes);
+    auto width = [](const std::vector<Bounds>& g) { return g.size() > 1 ? union_of(g).radius() : -1.0f; };
+    while (groups.size() < std::min(most, boxes.size())) {
+        auto widest = std::max_element(groups.begin(), groups.end(),
+                                       [&](const auto& a, const auto& b) { return width(a) < width(b); });
+        const glm::vec3 extent = union_of(*widest).most - union_of(*widest).least;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        std::stable_sort(widest->begin(), widest->end(), [axis](const Bounds& a, const Bounds& b) {
+            return a.center()[axis] < b.center()[axis];
+        });
+        const auto middle = widest->begin() + std::ptrdiff_t(widest->size() / 2);
+        std::vector<Bounds> half(middle, widest->end());
+        widest->erase(middle, widest->end());
+        groups.push_back(std::move(half));
+    }
+    std::vector<Bounds> unions;
+    for (const auto& group : groups) unions.push_back(union_of(group));
+    return unions;
+}
+
 std::vector<Bounds> bounds_of_maps(const GpuScene& scene, const std::vector<SceneObject>& specular,
                                    DistanceMaps maps) {
     std::vector<Bounds> bounds;
-    for (const SceneObject& object : specular) {
-        const Bounds b = scene.bounds_of(object.instances);
-        if (b.empty()) continue;
-        if (bounds.empty() || maps == DistanceMaps::each) bounds.emplace_back();
-        bounds.back().add(b.least), bounds.back().add(b.most);
-    }
-    if (bounds.size() > std::size_t(shared::CUBE_MAX_OBJECTS))
-        fail(Fault::usage,
-             "{}: {} specular objects, at most {} can have a distance cube of their own; use maps=one, or "
-             "give objects "
-             "that are close the same role",
-             scene.scene().name, bounds.size(), shared::CUBE_MAX_OBJECTS);
-    return bounds;
+    for (const SceneObject& object : specular)
+        if (const Bounds b = scene.bounds_of(object.instances); !b.empty()) bounds.push_back(b);
+    const std::size_t most = maps == DistanceMaps::one ? 1 : std::size_t(shared::CUBE_MAX_OBJECTS);
+    // Objects keep their order where each has a cube of its own.
+    return bounds.size() <= most ? bounds : group_boxes(bounds, most);
+}
+
+std::vector<std::string> shared_maps_warning(const std::vector<SceneObject>& specular, DistanceMaps maps) {
+    if (maps == DistanceMaps::one || specular.size() <= std::size_t(shared::CUBE_MAX_OBJECTS)) return {};
+    return {fmt::format("{} specular objects share {} distance cubes, the most that are drawn; those close "
+                        "together have one, and it sees less of each",
+                        specular.size(), shared::CUBE_MAX_OBJECTS)};
 }
 
 shared::CubeObjects cube_objects(const std::vector<Bounds>& maps) {
@@ -71,13 +104,14 @@ gpu::Bindings TracedCube::bindings() const {
 
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,
-                               const CubeTraceOptions& options, CubeSearch search,
+                               const CubeTraceOptions& options, CubeSearch search, CubeRadiance radiance,
                                const std::string& prefix) {
     const Scene& scene = frame.scene->scene();
     const bool marched = search >= CubeSearch::linear;
     CubeRequest request{.center = center,
                         .size = int(std::bit_ceil(unsigned(options.size))),
                         .layers = {},
+                        .indirect = radiance == CubeRadiance::lit,
                         .min_max = marched,
                         .prefix = prefix};
     // Specular surfaces send paths on; their own light is not asked for.
@@ -86,7 +120,7 @@ TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                              ? face_layers(only(scene, specular), false)
                              : peeled_layers(only(scene, specular), options.layers, false);
     const int near_layers = int(request.layers.size());
-    request.layers.push_back({.drawn = all_but(scene, specular)});
+    request.layers.push_back({.drawn = all_but(scene, specular), .lit = radiance != CubeRadiance::emitted});
 
     TracedCube traced;
     traced.cube = capture_cube(recorder, frame, request);
@@ -99,6 +133,9 @@ TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                 .jump = options.jump,
                                 .texel = 2.0f / float(request.size)},
                      .depth = options.depth};
+    traced.environment = frame.environment;
+    traced.environment_rotation = scene.environment.rotation;
+    traced.environment_scale = scene.environment.empty() ? 0.0f : scene.environment.scale;
     traced.ranges =
         recorder.image({.width = std::uint32_t(layers), .height = 1, .format = VK_FORMAT_R32G32_SFLOAT},
                        prefix + "cube ranges");
@@ -126,11 +163,14 @@ void trace_view(gpu::Recorder& recorder, const Capture& seen, const TracedCube& 
                                    .cube = traced.params,
                                    .objects = objects,
                                    .least_weight = paths.least_weight,
-                                   .both = paths.both ? 1u : 0u};
+                                   .both = paths.both ? 1u : 0u,
+                                   .environment_rotation = traced.environment_rotation,
+                                   .environment_scale = traced.environment_scale};
     gpu::Bindings bindings = traced.bindings();
     const gpu::Bindings first = first_surfaces(seen);
     bindings.insert(bindings.end(), first.begin(), first.end());
     bindings.push_back({"sum", sum});
+    bindings.push_back({"environment", traced.environment});
     recorder.dispatch("common/cube_view_" + cube_search_names[std::size_t(paths.search)] + ".comp",
                       extent_of(sum), p, bindings);
 }

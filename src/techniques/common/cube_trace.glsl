@@ -31,16 +31,21 @@ bool surface_counts(vec3 p, vec3 r, int layer) {
     return normal.a > 0.5 && dot(normal.xyz, r) * ray_side < 0.0;
 }
 
+vec3 surface_normal(vec3 direction, int layer) {
+    return textureLod(normal_map, vec4(direction, layer), 0.0).xyz;
+}
+
 struct CubePoint {
     vec3 p; // relative to the center
     int layer;
-    bool met; // false: a guess
+    bool met;     // false: a guess
+    bool escaped; // nothing is there: the ray leaves the scene
 };
 
 #if SEARCH <= PARALLAX
 CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
     int far = c.near_layers;
-    return CubePoint(parallax_guess(x, r, far, SEARCH == PARALLAX ? c.search.refine : 0), far, false);
+    return CubePoint(parallax_guess(x, r, far, SEARCH == PARALLAX ? c.search.refine : 0), far, false, false);
 }
 #else
 CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
@@ -48,6 +53,7 @@ CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
     near_layer_count = c.near_layers;
     float closest = 1e30;
     int hit_layer = -1;
+    bool hidden = false; // behind what the center sees when the ray leaves the last layer's range
     float start = 2.0 * c.search.texel * length(x);
     for (int layer = 0; layer < c.layers; ++layer) {
         vec2 limits = texelFetch(ranges, ivec2(layer, 0), 0).rg;
@@ -59,10 +65,12 @@ CubePoint trace_ray(CubeTraceParams c, vec3 x, vec3 r, bool inside) {
             closest = hit.d;
             hit_layer = layer;
         }
+        hidden = range.last > range.first && overshoot(x + r * range.last, layer) > 0.0;
     }
-    if (hit_layer >= 0) return CubePoint(x + r * closest, hit_layer, true);
-    // Nothing, or what no layer shows: the best guess from afar.
-    return CubePoint(parallax_guess(x, r, c.near_layers, 2), c.near_layers, false);
+    if (hit_layer >= 0) return CubePoint(x + r * closest, hit_layer, true, false);
+    // A ray that ends in front of everything has left the scene. Behind what the center sees there may be anything: the
+    // best guess is what is there from afar. The inside of a solid has an end, which was missed.
+    return CubePoint(parallax_guess(x, r, c.near_layers, 2), c.near_layers, false, !hidden && !inside);
 }
 #endif
 

@@ -37,15 +37,23 @@ struct CubePathOptions {
     void visit(Visitor& v);
 };
 
-// The world bounds of what each cube is for. Error Fault::usage: more than CUBE_MAX_OBJECTS.
+// The world bounds of what each cube is for: of more than CUBE_MAX_OBJECTS objects, those close together
+// share one.
 std::vector<Bounds> bounds_of_maps(const GpuScene& scene, const std::vector<SceneObject>& specular,
                                    DistanceMaps maps);
+// A sentence where they do.
+std::vector<std::string> shared_maps_warning(const std::vector<SceneObject>& specular, DistanceMaps maps);
+// Divides boxes into at most `most` groups of neighbors, each given as its union: the widest group is cut at
+// its median, again and again.
+std::vector<Bounds> group_boxes(const std::vector<Bounds>& boxes, std::size_t most);
 shared::CubeObjects cube_objects(const std::vector<Bounds>& maps); // own = 0
 
 struct TracedCube {
     DistanceCube cube;
     gpu::Image ranges;
     shared::CubeTraceParams params;
+    gpu::Image environment; // what rays show that leave the scene
+    float environment_rotation = 0.0f, environment_scale = 0.0f;
 
     // What common/cube_trace.glsl declares.
     gpu::Bindings bindings() const;
@@ -54,11 +62,16 @@ struct TracedCube {
 // What a capture shows, where paths start.
 gpu::Bindings first_surfaces(const Capture& seen);
 
+// What the far layer's radiance holds: what surfaces emit, also their direct light, also what else lights
+// them.
+enum class CubeRadiance { emitted, direct, lit };
+
 // Around `center` (world): near layers of `specular`, which `search` may do without, a far one of the rest of
 // the scene.
 TracedCube capture_traced_cube(gpu::Recorder& recorder, const Frame& frame,
                                const std::vector<SceneObject>& specular, glm::vec3 center,
-                               const CubeTraceOptions& options, CubeSearch search, const std::string& prefix);
+                               const CubeTraceOptions& options, CubeSearch search, CubeRadiance radiance,
+                               const std::string& prefix);
 
 // Adds to `sum` (RGBA32F, as large as the capture) what its specular surfaces show of the cube's radiance:
 // those that belong to the object objects.own.

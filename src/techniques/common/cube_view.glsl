@@ -5,6 +5,7 @@
 #include "techniques/common/cube_trace.glsl"
 #include "techniques/common/distance_cube_params.h"
 #include "techniques/common/cube_view_params.h"
+#include "techniques/frame/compose_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform params { CubeViewParams p; };
@@ -15,6 +16,8 @@ layout(binding = 9) uniform sampler2D diffuse;
 layout(binding = 10) uniform sampler2D specular;
 layout(binding = 11) uniform sampler2D direct; // a = signed_ior
 layout(binding = 12, rgba32f) uniform image2D sum;
+layout(binding = 13) uniform sampler2D environment;
+#include "techniques/frame/sky.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -52,6 +55,11 @@ void main() {
         ray = waiting[--count];
 
         CubePoint hit = trace_ray(p.cube, ray.x, ray.r, ray.inside);
+        if (hit.escaped) {
+            found += ray.weight * sky_radiance(environment, ray.r, p.environment_rotation, p.environment_scale);
+            at_surface = false;
+            continue;
+        }
         vec4 place = vec4(hit.p, hit.layer);
         material = textureLod(material_map, place, 0.0);
         at_surface = hit.layer < p.cube.near_layers && material.a != 0.0;

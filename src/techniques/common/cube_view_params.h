@@ -14,6 +14,8 @@ struct CubeViewParams {
     CubeObjects objects;
     float least_weight; // a branch that would add less than this share is not followed
     uint both;          // 1 = reflection and refraction, 0 = the greater of the two
+    float environment_rotation;
+    float environment_scale; // of what rays show that leave the scene; 0 = black
 };
 
 LUXEL_END

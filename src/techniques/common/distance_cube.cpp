@@ -56,6 +56,7 @@ std::vector<Capture> capture_faces(gpu::Recorder& recorder, const Frame& frame, 
             if (layer.lit) lit.push_back(captures.back());
         }
     if (!lit.empty()) frame.add_light(recorder, lit);
+    if (!lit.empty() && request.indirect) frame.add_indirect(recorder, lit);
     return captures;
 }
 

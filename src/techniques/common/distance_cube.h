@@ -33,7 +33,8 @@ struct CubeRequest {
     int size = 256; // texels a side, a power of two
     std::vector<CubeLayer> layers = {{}};
     CubeLight light = CubeLight::all;
-    bool min_max = false; // the pyramid of nearest and farthest distances
+    bool indirect = false; // lit layers also show what else lights them: Frame::add_indirect
+    bool min_max = false;  // the pyramid of nearest and farthest distances
     float background =
         0.0f;           // distance where nothing is seen; 0: 100 times that of the scene's farthest corner
     std::string prefix; // of the images' names

@@ -6,6 +6,8 @@ namespace luxel {
 void DistanceMap::visit(Visitor& v) {
     paths_.visit(v);
     options_.visit(v);
+    v.flag("indirect", indirect_,
+           "mirrors and glass also show ambient light and what the frame's other techniques light");
 }
 
 void DistanceMap::prepare(gpu::Gpu&, const Scene& scene) { objects_ = specular_objects(scene); }
@@ -21,7 +23,8 @@ Contribution DistanceMap::render(gpu::Recorder& recorder, const Frame& frame) {
     for (objects.own = 0; objects.own < objects.count; ++objects.own) {
         const TracedCube traced =
             capture_traced_cube(recorder, frame, objects_, bounds[std::size_t(objects.own)].center(),
-                                options_, paths_.search, "distance_map " + std::to_string(objects.own) + " ");
+                                options_, paths_.search, indirect_ ? CubeRadiance::lit : CubeRadiance::direct,
+                                "distance_map " + std::to_string(objects.own) + " ");
         trace_view(recorder, frame, traced, objects, paths_, reflections);
     }
     return {.radiance = reflections};

@@ -14,10 +14,14 @@ public:
     void visit(Visitor& v) override;
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
+    std::vector<std::string> warnings() const override {
+        return shared_maps_warning(objects_, options_.maps);
+    }
 
 private:
     CubeTraceOptions options_;
     CubePathOptions paths_;
+    bool indirect_ = true;
     std::vector<SceneObject> objects_;
 };
 

@@ -158,6 +158,58 @@ TEST_F(DistanceMapTest, MirrorsSeeEachOther) {
     EXPECT_LT(darker, 10);
 }
 
+// A room without its front: rays that leave through the opening show the environment, not what the sphere's
+// center sees in their direction.
+TEST_F(DistanceMapTest, RaysThatLeaveShowTheEnvironment) {
+    Scene scene = room_with_sphere(procedural::mirror("sphere", vec3(0.9f)));
+    std::erase_if(scene.instances, [](const Instance& i) { return i.mesh == 4; }); // +z
+    scene.environment.radiance = Image(8, 4, 3, 9.0f);
+    const Image image = render(scene, "size=128,depth=1");
+    const CameraBasis basis = camera_basis(scene.cameras[0], side, side);
+    int left = 0, wrong = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const vec3 r =
+                glm::normalize(pixel_direction(basis, side, side, {float(x) + 0.5f, float(y) + 0.5f}));
+            const float b = glm::dot(basis.position, r);
+            const float d = b * b - glm::dot(basis.position, basis.position) + sphere_radius * sphere_radius;
+            if (d <= 0.05f * sphere_radius * sphere_radius) continue;
+            const vec3 p = basis.position + r * (-b - std::sqrt(d)), n = glm::normalize(p);
+            const vec3 away = glm::reflect(r, n), out = p + away * ((1.0f - p.z) / away.z);
+            if (away.z <= 0.0f || std::max(std::abs(out.x), std::abs(out.y)) > 0.98f) continue;
+            const vec3 truth = 9.0f * shared::fresnel_schlick(vec3(0.9f), vec3(1), -glm::dot(r, n));
+            ++left, wrong += glm::length(image.rgb(x, y) - truth) > 0.01f * glm::length(truth);
+        }
+    EXPECT_GT(left, 300);
+    EXPECT_LT(wrong, 0.03 * left); // those at the opening's rim, by a texel
+}
+
+// Four rows of seven mirrors: sixteen cubes, none of which spans two rows.
+TEST_F(DistanceMapTest, ManyMirrorsShareCubesWithTheirNeighbors) {
+    std::vector<Bounds> boxes;
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 7; ++i) {
+            Bounds b;
+            b.add(vec3(float(i), 0, 20.0f * float(row))), b.add(vec3(float(i) + 0.5f, 1, 20.0f * float(row)));
+            boxes.push_back(b);
+        }
+    const std::vector<Bounds> groups = group_boxes(boxes, 16);
+    EXPECT_EQ(groups.size(), 16u);
+    for (const Bounds& g : groups) EXPECT_LT(g.most.z - g.least.z, 1.0f);
+
+    Scene scene = glowing_room();
+    Material metal = procedural::mirror("sphere", vec3(0.9f));
+    for (int i = 0; i < 17; ++i) {
+        add_sphere(procedural::add_object(scene, metal), {0.1f * float(i) - 0.8f, 0, 0}, 0.04f, 8, 6);
+    }
+    auto technique = make_technique(parse_specification("distance_map:size=16"));
+    RenderRequest request{
+        .camera = scene.cameras.at(0), .width = 8, .height = 8, .techniques = {technique.get()}};
+    const RenderResult result = Renderer(gpu(), scene, {.emitter_lights = 0}).render(request);
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_NE(result.warnings[0].find("17 specular objects"), std::string::npos) << result.warnings[0];
+}
+
 TEST_F(DistanceMapTest, ASceneWithoutSpecularObjectsGetsNothing) {
     const Image image = render(glowing_room(), "size=16");
     EXPECT_NEAR(image.rgb(side / 2, side / 2).r, 2.0f, 1e-3f);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/envmap/envmap.h"
 
-#include "techniques/common/object_depth.h"
 #include "techniques/envmap/probes.h"
+#include "techniques/frame/object_depth.h"
 
 namespace luxel {
 
@@ -29,6 +29,7 @@ void EnvmapOptions::visit(Visitor& v) {
         "glossy", glossy,
         "also what rough specular lobes reflect, by one look-up in a prefiltered map, probes=objects only");
     v.integer("grid", grid, {1, 16}, "probes along the scene's longest side, probes=grid only");
+    v.flag("occlusion", occlusion, "times what the occlusion slot leaves open");
 }
 
 namespace {
@@ -89,6 +90,7 @@ Contribution Envmap::render(Recorder& recorder, const Frame& frame) {
     check_envmap_options(options_);
     Contribution c{.radiance =
                        recorder.image({.width = frame.width, .height = frame.height}, "envmap radiance")};
+    c.from_afar = options_.occlusion;
     recorder.clear(c.radiance, {});
     shared::EnvmapGatherParams p{.view = frame.view, .senders = 6 * options_.texels * options_.texels};
 

@@ -25,12 +25,16 @@ struct EnvmapOptions {
     EnvmapProbes probes = EnvmapProbes::objects;
     bool glossy = false;
     int grid = 4; // probes along the scene's longest side, probes=grid only
+    bool occlusion = false;
     void visit(Visitor& v);
 };
 
 class Envmap final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
+    Receivers receivers() const override {
+        return options_.probes == EnvmapProbes::grid ? Receivers::all : Receivers::dynamic_objects;
+    }
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/form_factor.h"
-#include "techniques/common/object_depth.glsl"
+#include "techniques/frame/object_depth.glsl"
 #include "techniques/envmap/envmap_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

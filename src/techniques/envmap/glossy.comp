@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "techniques/common/object_depth.glsl"
+#include "techniques/frame/object_depth.glsl"
 #include "techniques/envmap/envmap_params.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

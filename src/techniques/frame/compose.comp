@@ -14,6 +14,7 @@ layout(binding = 3) uniform sampler2D ambient;
 layout(binding = 4) uniform sampler2D accessibility;
 layout(binding = 5) uniform sampler2D environment;
 layout(binding = 6, rgba32f) uniform writeonly image2D radiance;
+#include "techniques/frame/sky.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -24,11 +25,9 @@ void main() {
         ivec2 a = min(pixel, textureSize(accessibility, 0) - 1), b = min(pixel, textureSize(ambient, 0) - 1);
         sum = texelFetch(direct, pixel, 0).rgb +
               texelFetch(accessibility, a, 0).r * texelFetch(ambient, b, 0).rgb;
-    } else if (p.environment_scale > 0.0) {
+    } else {
         vec3 direction = world_position(p.view, vec2(pixel) + 0.5, 1.0) - p.view.position;
-        ivec2 size = textureSize(environment, 0);
-        ivec2 texel = ivec2(environment_uv(direction, p.environment_rotation) * vec2(size));
-        sum = texelFetch(environment, clamp(texel, ivec2(0), size - 1), 0).rgb * p.environment_scale;
+        sum = sky_radiance(environment, direction, p.environment_rotation, p.environment_scale);
     }
     imageStore(radiance, pixel, vec4(sum, 1));
 }

@@ -73,6 +73,9 @@ struct Frame : Capture {
     std::function<void(gpu::Recorder&, const std::vector<Capture>&)> add_light;
     std::uint64_t motion =
         0; // changes when instances or lights have moved; what was captured before is old then
+    // Adds to `direct` of captures that have their direct light what else lights them in this frame: ambient
+    // light, unoccluded, and what techniques light whose slots come before that of the caller.
+    std::function<void(gpu::Recorder&, const std::vector<Capture>&)> add_indirect;
     gpu::Image environment; // equirectangular radiance before rotation and scale; 1x1 black without one
 };
 

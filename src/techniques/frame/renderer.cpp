@@ -8,12 +8,14 @@
 
 #include "core/error.h"
 #include "scene/lights.h"
+#include "scene/roles.h"
 #include "techniques/frame/ambient_params.h"
 #include "techniques/frame/blending.h"
 #include "techniques/frame/capture.h"
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
 #include "techniques/frame/impostors.h"
+#include "techniques/frame/object_depth.h"
 #include "techniques/frame/projection.h"
 
 namespace luxel {
@@ -24,7 +26,7 @@ struct Renderer::Data {
           shadows(g, o.shadow, o.esm_exponent,
                   std::min(std::uint64_t(o.shadow_memory) << 20, g.device().memory_bytes / 4)),
           direct(s, o), impostors(s), blended(blended_instances(s)) {
-        if (options.environment == EnvironmentMode::ambient && !scene.environment.empty()) {
+        if (has_ambient()) {
             std::vector<glm::vec3> sh = project_environment_sh(scene.environment);
             LUXEL_ASSERT(sh.size() == 9, "size={}", sh.size());
             std::copy(sh.begin(), sh.end(), ambient.sh);
@@ -41,6 +43,13 @@ struct Renderer::Data {
     };
     Seen make_frame(gpu::Recorder& recorder, const RenderRequest& request);
     gpu::Image ambient_light(gpu::Recorder& recorder, const Capture& capture, const std::string& name) const;
+    void add_ambient(gpu::Recorder& recorder, const std::vector<Capture>& captures) const;
+    void divide_receivers(gpu::Recorder& recorder, const Frame& frame,
+                          const std::vector<Technique*>& techniques,
+                          const std::vector<Contribution>& contributions) const;
+    bool has_ambient() const {
+        return options.environment == EnvironmentMode::ambient && !scene.environment.empty();
+    }
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
     void lay_over(gpu::Recorder& recorder, const Seen& seen, const gpu::Image& radiance) const;
@@ -64,13 +73,15 @@ struct Renderer::Data {
 
 namespace {
 
-// Sorted by slot; one technique in each.
+// Sorted by slot, then by receivers.
 std::vector<Technique*> by_slot(std::vector<Technique*> techniques) {
+    auto key = [](const Technique* t) { return std::pair(t->slot(), t->receivers()); };
     std::stable_sort(techniques.begin(), techniques.end(),
-                     [](const Technique* a, const Technique* b) { return a->slot() < b->slot(); });
+                     [&](const Technique* a, const Technique* b) { return key(a) < key(b); });
     for (std::size_t i = 1; i < techniques.size(); ++i)
-        if (techniques[i - 1]->slot() == techniques[i]->slot())
-            fail(Fault::usage, "two techniques are for the slot \"{}\"; use one of them",
+        if (key(techniques[i - 1]) == key(techniques[i]))
+            fail(Fault::usage,
+                 "two techniques are for the slot \"{}\" and the same surfaces; use one of them",
                  slot_name(techniques[i]->slot()));
     return techniques;
 }
@@ -181,13 +192,36 @@ Renderer::Data::Seen Renderer::Data::make_frame(gpu::Recorder& recorder, const R
 gpu::Image Renderer::Data::ambient_light(gpu::Recorder& recorder, const Capture& capture,
                                          const std::string& name) const {
     const gpu::Image image = recorder.image({.width = capture.width, .height = capture.height}, name);
-    if (options.environment != EnvironmentMode::ambient || scene.environment.empty())
+    if (!has_ambient())
         recorder.clear(image, {});
     else
         recorder.dispatch(
             "frame/ambient.comp", extent_of(image), ambient,
             {{"diffuse", capture.gbuffer.diffuse}, {"normal", capture.gbuffer.normal}, {"ambient", image}});
     return image;
+}
+
+void Renderer::Data::add_ambient(gpu::Recorder& recorder, const std::vector<Capture>& captures) const {
+    if (!has_ambient()) return;
+    for (const Capture& c : captures)
+        recorder.dispatch(
+            "frame/add.comp", extent_of(c.direct), gpu::Recorder::NoParams{},
+            {{"contribution", ambient_light(recorder, c, "captured ambient")}, {"radiance", c.direct}});
+}
+
+// Takes what a technique for all surfaces gives to those that another one of its slot is for.
+void Renderer::Data::divide_receivers(gpu::Recorder& recorder, const Frame& frame,
+                                      const std::vector<Technique*>& techniques,
+                                      const std::vector<Contribution>& contributions) const {
+    for (std::size_t i = 1; i < techniques.size(); ++i) {
+        if (techniques[i - 1]->slot() != techniques[i]->slot() || !contributions[i - 1].radiance) continue;
+        const gpu::Image objects = object_depth(recorder, frame, only(scene, dynamic_objects(scene)));
+        recorder.dispatch("frame/leave_objects.comp", extent_of(contributions[i - 1].radiance),
+                          gpu::Recorder::NoParams{},
+                          {{"hardware_depth", frame.gbuffer.hardware_depth},
+                           {"object_depth", objects},
+                           {"radiance", contributions[i - 1].radiance}});
+    }
 }
 
 // Farthest first, so that each weakens what is behind it. Nothing that techniques compute is on them.
@@ -219,7 +253,11 @@ gpu::Image Renderer::Data::compose(gpu::Recorder& recorder, const Frame& frame,
                        {"environment", environment},
                        {"radiance", radiance}});
     for (const Contribution& c : contributions)
-        if (c.radiance)
+        if (c.radiance && c.from_afar && accessibility)
+            recorder.dispatch(
+                "frame/add_occluded.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+                {{"contribution", c.radiance}, {"accessibility", accessibility}, {"radiance", radiance}});
+        else if (c.radiance)
             recorder.dispatch("frame/add.comp", extent_of(radiance), gpu::Recorder::NoParams{},
                               {{"contribution", c.radiance}, {"radiance", radiance}});
     return radiance;
@@ -264,10 +302,15 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.gpu.reset_memory_peak();
     d.shadows.begin_frame();
     gpu::Recorder recorder(d.gpu);
-    const Renderer::Data::Seen seen = d.make_frame(recorder, request);
+    Renderer::Data::Seen seen = d.make_frame(recorder, request);
     const Frame& frame = seen.frame;
     std::vector<Contribution> contributions;
+    seen.frame.add_indirect = [&](gpu::Recorder& r, const std::vector<Capture>& captures) {
+        d.add_ambient(r, captures);
+        for (std::size_t i = 0; i < contributions.size(); ++i) techniques[i]->light(r, frame, captures);
+    };
     for (Technique* t : techniques) contributions.push_back(t->render(recorder, frame));
+    d.divide_receivers(recorder, frame, techniques, contributions);
     const gpu::Image open_share = accessibility_of(contributions);
     const gpu::Image composed = d.compose(recorder, frame, contributions, open_share);
     d.lay_over(recorder, seen, composed);
@@ -286,6 +329,8 @@ RenderResult Renderer::render(const RenderRequest& request) {
         for (std::size_t i = 0; i < depth.data.size(); ++i)
             depth.data[i] = std::max(depth.data[i], layer.data[i]);
     }
+    for (const Technique* t : techniques)
+        for (const std::string& warning : t->warnings()) result.warnings.push_back(warning);
     result.mask = mask_of(depth, samples);
     if (accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)

@@ -15,11 +15,12 @@ namespace luxel {
 struct RenderRequest {
     Camera camera;
     int width = 0, height = 0;
-    std::vector<Technique*>
-        techniques; // prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot
+    // Prepared by the renderer; sorted by slot; Error Fault::usage on two in one slot with the same
+    // receivers.
+    std::vector<Technique*> techniques;
     std::vector<std::string> images; // names of intermediate images to read back ("depth", "isr irradiance",
                                      // ...), as large as they are, supersampled ones with all their samples
-    bool accessibility = false; // read back what composition multiplies the ambient term by
+    bool accessibility = false;      // read back what composition multiplies the ambient term by
 };
 
 struct RenderResult {
@@ -28,7 +29,8 @@ struct RenderResult {
     Image accessibility; // 1 channel; empty unless asked for and delivered by a technique
     Layers images;       // the intermediate images asked for
     std::vector<gpu::PassTime> passes;
-    std::uint64_t memory_bytes = 0; // peak of the frame's images and buffers, scene included
+    std::vector<std::string> warnings; // of the techniques
+    std::uint64_t memory_bytes = 0;    // peak of the frame's images and buffers, scene included
 };
 
 class Renderer {

@@ -54,21 +54,32 @@ public:
         auto scope = recorder.scope("photon_map");
         capture_lists(recorder, lists_, *frame.scene, list_projection(frame, options_), options_);
         const std::vector<RsmView> views = reflective_shadow_maps(recorder, frame, options_.rsm);
-        const glm::vec3 center = lists_.view().center;
-        const PhotonBuffers photons = emit_photons(recorder, views, center, options_);
-        follow_photons(recorder, lists_, photons, options_);
-        const gpu::Image irradiance = photon_irradiance(recorder, frame, photons, center, options_);
-
-        gpu::Image radiance = recorder.image({.width = frame.width, .height = frame.height}, "caustics");
-        recorder.dispatch(
-            "common/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
-            {{"diffuse", frame.gbuffer.diffuse}, {"irradiance", irradiance}, {"radiance", radiance}});
-        return {.radiance = radiance};
+        photons_ = emit_photons(recorder, views, lists_.view().center, options_);
+        follow_photons(recorder, lists_, photons_, options_);
+        return {.radiance = radiance_of(recorder, frame)};
+    }
+    void light(gpu::Recorder& recorder, const Frame&, const std::vector<Capture>& captures) override {
+        auto scope = recorder.scope("photon_map");
+        for (const Capture& seen : captures)
+            recorder.dispatch("frame/add.comp", extent_of(seen.direct), gpu::Recorder::NoParams{},
+                              {{"contribution", radiance_of(recorder, seen)}, {"radiance", seen.direct}});
     }
 
 private:
+    // What the photons light of a view's surfaces.
+    gpu::Image radiance_of(gpu::Recorder& recorder, const Capture& seen) const {
+        const gpu::Image irradiance =
+            photon_irradiance(recorder, seen, photons_, lists_.view().center, options_);
+        gpu::Image radiance = recorder.image({.width = seen.width, .height = seen.height}, "caustics");
+        recorder.dispatch(
+            "common/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
+            {{"diffuse", seen.gbuffer.diffuse}, {"irradiance", irradiance}, {"radiance", radiance}});
+        return radiance;
+    }
+
     PhotonOptions options_;
     FragmentLists lists_;
+    PhotonBuffers photons_; // of the latest frame
 };
 
 } // namespace

@@ -50,8 +50,8 @@ void trace_photons(gpu::Recorder& recorder, const FragmentLists& lists, const Ph
 // Rays and what they meet in turn, until all photons have arrived or are lost.
 void follow_photons(gpu::Recorder& recorder, const FragmentLists& lists, const PhotonBuffers& photons,
                     const PhotonOptions& options);
-// W/m2, of the frame's size.
-gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const PhotonBuffers& photons,
+// W/m2, of the view's size.
+gpu::Image photon_irradiance(gpu::Recorder& recorder, const Capture& seen, const PhotonBuffers& photons,
                              glm::vec3 center, const PhotonOptions& options);
 
 } // namespace luxel

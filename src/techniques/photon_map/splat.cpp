@@ -15,27 +15,27 @@ constexpr float delta = 0.15f;
 
 } // namespace
 
-gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const PhotonBuffers& photons,
+gpu::Image photon_irradiance(gpu::Recorder& recorder, const Capture& seen, const PhotonBuffers& photons,
                              glm::vec3 center, const PhotonOptions& options) {
     auto scope = recorder.scope("splat");
     const std::uint32_t step = std::uint32_t(options.scale);
-    const gpu::ImageInfo size{.width = (frame.width + step - 1) / step,
-                              .height = (frame.height + step - 1) / step};
+    const gpu::ImageInfo size{.width = (seen.width + step - 1) / step,
+                              .height = (seen.height + step - 1) / step};
     const gpu::Image guide = recorder.image(size, "photon guide");
-    const GBuffer& g = frame.gbuffer;
+    const GBuffer& g = seen.gbuffer;
     recorder.dispatch("photon_map/guide.comp", extent_of(guide), options.scale,
                       {{"depth", g.depth}, {"geometric_normal", g.geometric_normal}, {"guide", guide}});
 
     // Tents reach the next photon, where it is known.
     const bool tent = options.kernel == PhotonKernel::tent;
     const float reach = std::sqrt(options.share / shared::PI);
-    // Coarse pixels are pixels of the frame; their view is the frame's, cut into fewer.
-    shared::PhotonSplatParams p{.view = frame.view,
+    // Coarse pixels are pixels of the view; their view is the same, cut into fewer.
+    shared::PhotonSplatParams p{.view = seen.view,
                                 .center = center,
                                 .reach = tent ? 1.0f : reach,
                                 .reach_beam = reach,
                                 .least = tent ? 1.0f : least_radius,
-                                .most_radius = 0.25f * frame.scene->bounds().radius(),
+                                .most_radius = 0.25f * seen.scene->bounds().radius(),
                                 .delta = delta,
                                 .shift = (std::floor(float(step) / 2) + 0.5f) / float(step) - 0.5f};
     p.frame_size = {p.view.width, p.view.height};
@@ -48,8 +48,7 @@ gpu::Image photon_irradiance(gpu::Recorder& recorder, const Frame& frame, const 
                   {{"photons", photons.photons}, {"counts", photons.counts}, {"guide", guide}}, {}, all);
     if (step == 1) return sum;
 
-    const gpu::Image full =
-        recorder.image({.width = frame.width, .height = frame.height}, "photon irradiance");
+    const gpu::Image full = recorder.image({.width = seen.width, .height = seen.height}, "photon irradiance");
     recorder.dispatch("photon_map/upsample.comp", extent_of(full), options.scale,
                       {{"coarse", sum},
                        {"guide", guide},

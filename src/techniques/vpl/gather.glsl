@@ -19,6 +19,7 @@ layout(binding = 6, rgba32f) uniform writeonly image2D irradiance; // a = 1 wher
 
 #ifdef SHADOWED
 layout(binding = 9) uniform sampler2D shadow_maps;
+#include "techniques/vpl/ism_visibility.glsl"
 #endif
 
 struct Receiver {
@@ -30,23 +31,6 @@ Vpl vpl_at(int i) {
     vec4 first = texelFetch(lights, at);
     return Vpl(first.xyz, first.w, texelFetch(lights, at + 1).xyz, texelFetch(lights, at + 2).rgb);
 }
-
-#ifdef SHADOWED
-// Whether nothing is nearer to the light than the receiver, which moves along its normal so far that its own
-// plane cannot shadow it: by half a texel's diagonal times the share of the plane's slope, as in docs/frame.md,
-// and as far again for the points, which lie anywhere in their texels.
-float visibility(int i, Vpl vpl, Receiver r) {
-    mat3 around = frame_around(vpl.normal);
-    vec3 v = r.position - vpl.position, w = normalize(v);
-    float c = dot(r.plane, w), slope = sqrt(max(1.0 - c * c, 0.0));
-    float texel = length(v) * ism_texel(to_paraboloid(w * around), p.ism.size);
-    v = (v + r.plane * (1.4142136 * texel * slope)) * around;
-    float d = length(v);
-    vec2 m = to_paraboloid(v / d) * 0.5 + 0.5;
-    ivec2 at = clamp(ivec2(m * float(p.ism.size)), ivec2(0), ivec2(p.ism.size - 1));
-    return d * texelFetch(shadow_maps, ism_corner(i, p.ism) + at, 0).r <= 1.0 ? 1.0 : 0.0;
-}
-#endif
 
 vec3 gathered(Receiver r) {
     vec3 sum = vec3(0);
@@ -60,7 +44,7 @@ vec3 gathered(Receiver r) {
         float kernel = vpl_disc_kernel(vpl, r.position, r.normal, r.plane) / PI;
 #endif
 #ifdef SHADOWED
-        if (kernel > 0.0) kernel *= visibility(i, vpl, r);
+        if (kernel > 0.0) kernel *= ism_visibility(shadow_maps, p.ism, i, vpl.position, vpl.normal, r.position, r.plane);
 #endif
         sum += vpl.flux * kernel;
     }

@@ -7,18 +7,18 @@
 LUXEL_BEGIN
 
 struct IsmParams {
-    int size;     // texels a side of each map
-    int columns;  // of maps in the image that holds them all
-    int points;   // that each map is drawn with
-    int sets;     // of so many points; maps take them in turn
-    float radius; // of the disc that a point stands for, m
+    int size;    // texels a side of each map
+    int columns; // of maps in the image that holds them all
+    int points;  // that each map is drawn with
+    int sets;    // of so many points; maps take them in turn
 };
 
 // A point on a surface, in object space.
 struct IsmPoint {
     vec3 position;
     uint instance;
-    vec3 normal; // of the triangle, not normalized; 0: no point
+    float radius; // of the disc that it stands for, m
+    vec3 normal;  // of the triangle, not normalized; 0: no point
 };
 
 // From the unit hemisphere around +z to the unit disc, and back.

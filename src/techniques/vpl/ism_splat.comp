@@ -8,7 +8,7 @@
 
 layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform params { IsmParams p; };
-layout(binding = 1) uniform samplerBuffer placed; // position, normal
+layout(binding = 1) uniform samplerBuffer placed; // (position, radius), (normal, 0)
 layout(binding = 2) uniform samplerBuffer lights;
 layout(binding = 3, scalar) readonly buffer light_count { int count; };
 layout(binding = 4, r32ui) uniform uimage2D nearest; // bits of 1/distance
@@ -21,14 +21,15 @@ void main() {
     vec3 origin = texelFetch(lights, light * VPL_TEXELS).xyz;
     mat3 around = frame_around(texelFetch(lights, light * VPL_TEXELS + 1).xyz);
     int at = 2 * (light % p.sets * p.points + i);
-    vec3 middle = (texelFetch(placed, at).xyz - origin) * around;
+    vec4 disc = texelFetch(placed, at);
+    vec3 middle = (disc.xyz - origin) * around;
 
     // The light's own surface is no occluder.
     vec3 n = texelFetch(placed, at + 1).xyz * around;
-    if (middle.z <= p.radius || n == vec3(0)) return;
+    if (middle.z <= disc.w || n == vec3(0)) return;
     float d = length(middle);
     vec2 m = to_paraboloid(middle / d), center = (m * 0.5 + 0.5) * float(p.size);
-    float texel = ism_texel(m, p.size), reach = min(p.radius / (d * texel), WIDEST);
+    float texel = ism_texel(m, p.size), reach = min(disc.w / (d * texel), WIDEST);
 
     ivec2 own = clamp(ivec2(center), ivec2(0), ivec2(p.size - 1));
     ivec2 first = clamp(ivec2(floor(center - reach)), ivec2(0), own);
@@ -40,7 +41,7 @@ void main() {
             bool inside = x == own.x && y == own.y;
             vec3 ray = from_paraboloid((vec2(x, y) + 0.5) * (2.0 / float(p.size)) - 1.0);
             float t = dot(n, middle) / dot(n, ray);
-            float radius = inside ? p.radius + d * texel : p.radius;
+            float radius = inside ? disc.w + d * texel : disc.w;
             bool meets = t > 0.0 && length(t * ray - middle) <= radius;
             if (!meets && !inside) continue;
             imageAtomicMax(nearest, corner + ivec2(x, y), floatBitsToUint(1.0 / (meets ? t : d)));

@@ -16,16 +16,16 @@ void VplRegionOptions::visit(Visitor& v) {
 namespace {
 
 // Whole cells of the coarsest level.
-gpu::ImageInfo padded(const Frame& frame, int levels) {
+gpu::ImageInfo padded(const Capture& seen, int levels) {
     const std::uint32_t cell = 1u << (levels - 1);
-    return {.width = (frame.width + cell - 1) / cell * cell,
-            .height = (frame.height + cell - 1) / cell * cell,
+    return {.width = (seen.width + cell - 1) / cell * cell,
+            .height = (seen.height + cell - 1) / cell * cell,
             .mips = std::uint32_t(levels)};
 }
 
 // Levels 1 to the coarsest, at least one. The result says which cells are too coarse.
-gpu::Image divide(gpu::Recorder& recorder, const Frame& frame, VplRegions& regions) {
-    gpu::ImageInfo info = padded(frame, regions.params.coarsest + 1);
+gpu::Image divide(gpu::Recorder& recorder, const Capture& seen, VplRegions& regions) {
+    gpu::ImageInfo info = padded(seen, regions.params.coarsest + 1);
     info.width = (info.width + 1) / 2, info.height = (info.height + 1) / 2;
     info.mips = std::uint32_t(std::max(regions.params.coarsest, 1));
     regions.least = recorder.image(info, "vpl least"), regions.most = recorder.image(info, "vpl most");
@@ -36,8 +36,8 @@ gpu::Image divide(gpu::Recorder& recorder, const Frame& frame, VplRegions& regio
         gpu::Bindings bindings = {
             {"least", regions.least.mip(mip)}, {"most", regions.most.mip(mip)}, {"broken", broken.mip(mip)}};
         if (mip == 0)
-            bindings.insert(bindings.end(), {{"depth", frame.gbuffer.depth},
-                                             {"geometric_normal", frame.gbuffer.geometric_normal}});
+            bindings.insert(bindings.end(), {{"depth", seen.gbuffer.depth},
+                                             {"geometric_normal", seen.gbuffer.geometric_normal}});
         else
             bindings.insert(bindings.end(), {{"from_least", regions.least.mip(mip - 1)},
                                              {"from_most", regions.most.mip(mip - 1)}});
@@ -52,16 +52,16 @@ gpu::Image divide(gpu::Recorder& recorder, const Frame& frame, VplRegions& regio
 
 } // namespace
 
-VplRegions vpl_regions(gpu::Recorder& recorder, const Frame& frame, const VplRegionOptions& options) {
+VplRegions vpl_regions(gpu::Recorder& recorder, const Capture& seen, const VplRegionOptions& options) {
     auto scope = recorder.scope("regions");
     const std::uint32_t levels = std::uint32_t(options.levels);
-    VplRegions regions{.cells = recorder.image(padded(frame, options.levels), "vpl cells"),
-                       .params = {.view = frame.view,
+    VplRegions regions{.cells = recorder.image(padded(seen, options.levels), "vpl cells"),
+                       .params = {.view = seen.view,
                                   .level = 0,
                                   .coarsest = options.levels - 1,
                                   .depth_step = options.depth_step,
                                   .normal_step = options.normal_step}};
-    const gpu::Image divided = divide(recorder, frame, regions);
+    const gpu::Image divided = divide(recorder, seen, regions);
     regions.counts = recorder.gpu().buffer(levels * sizeof(int), "vpl region counts");
     regions.arguments = recorder.gpu().buffer(levels * 3 * sizeof(std::uint32_t), "vpl region groups");
     recorder.fill(regions.counts, 0);
@@ -73,7 +73,7 @@ VplRegions vpl_regions(gpu::Recorder& recorder, const Frame& frame, const VplReg
         shared::VplRegionParams p = regions.params;
         p.level = int(level);
         recorder.dispatch("vpl/regions.comp", extent_of(cells), p,
-                          {{"depth", frame.gbuffer.depth},
+                          {{"depth", seen.gbuffer.depth},
                            {"divided", divided},
                            {"regions", regions.lists.back()},
                            {"region_counts", regions.counts}});

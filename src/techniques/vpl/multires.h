@@ -26,7 +26,7 @@ struct VplRegions {
     shared::VplRegionParams params; // of level 0
 };
 
-VplRegions vpl_regions(gpu::Recorder& recorder, const Frame& frame, const VplRegionOptions& options);
+VplRegions vpl_regions(gpu::Recorder& recorder, const Capture& seen, const VplRegionOptions& options);
 
 // Fills the gaps of regions.cells when each level's regions are shaded. The result is padded to whole cells.
 gpu::Image vpl_interpolate(gpu::Recorder& recorder, const VplRegions& regions);

@@ -15,29 +15,30 @@ void VplTechniqueOptions::visit(Visitor& v) {
              "kernel: lights as discs of their area, as points bounded by it, or as printed in the thesis");
     v.real("clamp", clamp, {0, 1e6},
            "mode=bounded: most of a kernel, 1/m2, instead of the bound by area; 0 = none");
-    v.choice("visibility", visibility, {"none", "imperfect_shadow_maps"},
-             "of lights: whatever lies between, or by a small map of points for each");
+    v.choice("visibility", visibility, {"automatic", "none", "imperfect_shadow_maps"},
+             "of lights: by a small map of points for each, with mode=disc; or whatever lies between");
     regions.visit(v);
     ism.visit(v);
+    importance.visit(v);
     rsm.visit(v);
 }
 
 namespace {
 
-shared::VplGatherParams gather_params(const Frame& frame, const VplSenders& senders,
+shared::VplGatherParams gather_params(const Capture& seen, const VplSenders& senders,
                                       const VplTechniqueOptions& options) {
     const bool clamps = options.clamp > 0.0f;
-    return {.view = frame.view,
+    return {.view = seen.view,
             .bounded = clamps ? 0.0f : 1.0f,
             .most = clamps ? options.clamp : std::numeric_limits<float>::max(),
             .level = 0,
             .ism = senders.ism.params};
 }
 
-gpu::Bindings gather_bindings(const Frame& frame, const VplSenders& senders) {
-    gpu::Bindings bindings = {{"depth", frame.gbuffer.depth},
-                              {"normal", frame.gbuffer.normal},
-                              {"geometric_normal", frame.gbuffer.geometric_normal},
+gpu::Bindings gather_bindings(const Capture& seen, const VplSenders& senders) {
+    gpu::Bindings bindings = {{"depth", seen.gbuffer.depth},
+                              {"normal", seen.gbuffer.normal},
+                              {"geometric_normal", seen.gbuffer.geometric_normal},
                               {"lights", senders.vpls.lights},
                               {"light_count", senders.vpls.count}};
     if (senders.ism.maps) bindings.push_back({"shadow_maps", senders.ism.maps});
@@ -51,24 +52,24 @@ std::string variant(const std::string& program, const VplSenders& senders,
     return program + (senders.ism.maps ? "_shadowed.comp" : kernels[std::size_t(options.mode)]);
 }
 
-gpu::Image gather_full(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
+gpu::Image gather_full(gpu::Recorder& recorder, const Capture& seen, const VplSenders& senders,
                        const VplTechniqueOptions& options) {
     const gpu::Image irradiance =
-        recorder.image({.width = frame.width, .height = frame.height}, "vpl irradiance");
-    gpu::Bindings bindings = gather_bindings(frame, senders);
+        recorder.image({.width = seen.width, .height = seen.height}, "vpl irradiance");
+    gpu::Bindings bindings = gather_bindings(seen, senders);
     bindings.push_back({"irradiance", irradiance});
     recorder.dispatch(variant("vpl/gather_full", senders, options), extent_of(irradiance),
-                      gather_params(frame, senders, options), bindings);
+                      gather_params(seen, senders, options), bindings);
     return irradiance;
 }
 
 } // namespace
 
-void vpl_shade(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
+void vpl_shade(gpu::Recorder& recorder, const Capture& seen, const VplSenders& senders,
                const VplTechniqueOptions& options, const VplRegions& regions) {
-    shared::VplGatherParams p = gather_params(frame, senders, options);
+    shared::VplGatherParams p = gather_params(seen, senders, options);
     for (; p.level <= regions.params.coarsest; ++p.level) {
-        gpu::Bindings bindings = gather_bindings(frame, senders);
+        gpu::Bindings bindings = gather_bindings(seen, senders);
         bindings.insert(bindings.end(), {{"irradiance", regions.cells.mip(std::uint32_t(p.level))},
                                          {"regions", regions.lists[std::size_t(p.level)]},
                                          {"region_counts", regions.counts}});
@@ -77,37 +78,66 @@ void vpl_shade(gpu::Recorder& recorder, const Frame& frame, const VplSenders& se
     }
 }
 
-gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Frame& frame, const VplSenders& senders,
+gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Capture& seen, const VplSenders& senders,
                           const VplTechniqueOptions& options) {
     auto scope = recorder.scope("gather");
-    if (options.gather == VplGather::full) return gather_full(recorder, frame, senders, options);
-    const VplRegions regions = vpl_regions(recorder, frame, options.regions);
-    vpl_shade(recorder, frame, senders, options, regions);
+    if (options.gather == VplGather::full) return gather_full(recorder, seen, senders, options);
+    const VplRegions regions = vpl_regions(recorder, seen, options.regions);
+    vpl_shade(recorder, seen, senders, options, regions);
     return vpl_interpolate(recorder, regions);
 }
 
-void VplTechnique::prepare(gpu::Gpu& gpu, const Scene& scene) {
-    points_ = {};
-    if (options_.visibility == VplVisibility::imperfect_shadow_maps)
-        points_ = ism_points(gpu, scene, options_.ism);
+bool VplTechnique::shadows() const {
+    return options_.visibility == VplVisibility::imperfect_shadow_maps ||
+           (options_.visibility == VplVisibility::automatic && options_.mode == VplMode::disc);
+}
+
+void VplTechnique::prepare(gpu::Gpu&, const Scene&) { points_.reset(); }
+
+// Again when the eye has moved by as much as changes their density.
+void VplTechnique::place_points(gpu::Gpu& gpu, const Scene& scene, glm::vec3 eye) {
+    if (points_ && glm::length(eye - points_for_) < 0.25f * ism_near(scene)) return;
+    points_ = ism_points(gpu, scene, options_.ism, eye);
+    points_for_ = eye;
+}
+
+Vpls VplTechnique::draw_lights(gpu::Recorder& recorder, const Frame& frame) const {
+    const std::vector<RsmView> views = reflective_shadow_maps(recorder, frame, options_.rsm);
+    if (options_.mode == VplMode::thesis || options_.importance.points == 0)
+        return sample_vpls(recorder, views, options_.vpls);
+    VplOptions more = options_.vpls;
+    more.count *= options_.importance.candidates;
+    const Vpls candidates = sample_vpls(recorder, views, more);
+    return resample_vpls(recorder, frame, candidates, options_.vpls.count, options_.importance,
+                         shadows() ? &*points_ : nullptr);
 }
 
 Contribution VplTechnique::render(gpu::Recorder& recorder, const Frame& frame) {
     auto scope = recorder.scope("vpl");
-    const bool shadows = options_.visibility == VplVisibility::imperfect_shadow_maps;
-    if (shadows && options_.mode != VplMode::disc)
+    if (shadows() && options_.mode != VplMode::disc)
         fail(Fault::usage, "vpl: visibility=imperfect_shadow_maps is for mode=disc only");
-    VplSenders senders;
-    senders.vpls =
-        sample_vpls(recorder, reflective_shadow_maps(recorder, frame, options_.rsm), options_.vpls);
-    if (shadows) senders.ism = imperfect_shadow_maps(recorder, frame, points_, senders.vpls, options_.ism);
-    const gpu::Image irradiance = vpl_irradiance(recorder, frame, senders, options_);
-    const gpu::Image radiance =
-        recorder.image({.width = frame.width, .height = frame.height}, "vpl radiance");
+    if (shadows()) place_points(recorder.gpu(), frame.scene->scene(), frame.camera.position);
+    senders_ = {};
+    senders_.vpls = draw_lights(recorder, frame);
+    if (shadows())
+        senders_.ism = imperfect_shadow_maps(recorder, frame, *points_, senders_.vpls, options_.ism);
+    return {.radiance = radiance_of(recorder, frame)};
+}
+
+void VplTechnique::light(gpu::Recorder& recorder, const Frame&, const std::vector<Capture>& captures) {
+    auto scope = recorder.scope("vpl");
+    for (const Capture& seen : captures)
+        recorder.dispatch("frame/add.comp", extent_of(seen.direct), gpu::Recorder::NoParams{},
+                          {{"contribution", radiance_of(recorder, seen)}, {"radiance", seen.direct}});
+}
+
+gpu::Image VplTechnique::radiance_of(gpu::Recorder& recorder, const Capture& seen) const {
+    const gpu::Image irradiance = vpl_irradiance(recorder, seen, senders_, options_);
+    gpu::Image radiance = recorder.image({.width = seen.width, .height = seen.height}, "vpl radiance");
     recorder.dispatch(
         "common/reflect.comp", extent_of(radiance), gpu::Recorder::NoParams{},
-        {{"irradiance", irradiance}, {"diffuse", frame.gbuffer.diffuse}, {"radiance", radiance}});
-    return {.radiance = radiance};
+        {{"irradiance", irradiance}, {"diffuse", seen.gbuffer.diffuse}, {"radiance", radiance}});
+    return radiance;
 }
 
 std::unique_ptr<Technique> make_vpl() { return std::make_unique<VplTechnique>(); }

@@ -33,12 +33,14 @@ LUXEL_FN float disc_above_horizon(float c, float length2, float r2) {
 // q^2 = (a + r^2)^2 - 4 r^2 s^2, the disc of radiance 1 makes pi/2 (1 - (a - r^2) / q) on a plane that faces
 // it and pi h / (2 s) ((a + r^2) / q - 1) on one along its axis [Howell2010]. Both are differences of nearly
 // equal numbers far away, hence the forms below. It is cos cos / d^2 for r = 0. plane: normal of the
-// receiver's triangle.
+// receiver's triangle. Both must be in front of each other by more than normals and positions are rounded:
+// what is in the disc's own plane gets nothing, also if it is the other side of the same sheet.
+LUXEL_CONST float VPL_COPLANAR = 0.002f; // sine of the angle; RGBA16F rounds normals by .0005
 LUXEL_FN float vpl_disc_kernel(Vpl vpl, vec3 position, vec3 normal, vec3 plane) {
     vec3 v = vpl.position - position;
     float h = -dot(vpl.normal, v);
-    if (h <= 0.0f || dot(plane, v) <= 0.0f) return 0.0f;
     float a = dot(v, v), r2 = vpl.bound;
+    if (min(h, dot(plane, v)) <= VPL_COPLANAR * sqrt(a)) return 0.0f;
     float q = sqrt((a - r2) * (a - r2) + 4.0f * r2 * h * h);
     float facing = a > r2 ? 2.0f * h * h / (q * (q + a - r2)) : (q + r2 - a) / (2.0f * r2 * q);
     float aside = 2.0f * h / (q * (q + a + r2));

@@ -91,8 +91,9 @@ dvec3 brute_force(const std::vector<vec4>& texels, int count, dvec3 x, dvec3 n, 
             continue;
         }
         if (options.mode == VplMode::disc) {
-            sum += flux / pi * disc_kernel(v, n, m, double(texels[3 * i].w)) *
-                   (glm::dot(plane, v) > 0.0 ? 1.0 : 0.0);
+            const double before = std::min(-glm::dot(m, v), glm::dot(plane, v));
+            if (before > double(shared::VPL_COPLANAR) * glm::length(v))
+                sum += flux / pi * disc_kernel(v, n, m, double(texels[3 * i].w));
             continue;
         }
         const dvec3 w = glm::normalize(v);
@@ -173,6 +174,19 @@ TEST(VplKernels, TheHorizonCutsTheDisc) {
     const vec3 corner = ceiling_disc.position - vec3(0.1f, 0.03f, 0);
     EXPECT_LT(double(shared::vpl_bounded_kernel(ceiling_disc, corner, n, n, p)),
               0.6 * integral(ceiling_disc, corner, n, true));
+}
+
+// A sheet that is lit from one side, seen from the other: rounding must not put the receiver before the disc.
+TEST(VplKernels, ASheetIsDarkOnItsOtherSide) {
+    const vec3 n = -ceiling_disc.normal;
+    for (float rounding : {-1e-6f, 0.0f, 1e-6f, 2e-5f})
+        for (float beside : {0.05f, 0.2f, 1.0f}) {
+            const vec3 x = ceiling_disc.position + vec3(beside, -rounding, 0);
+            EXPECT_EQ(shared::vpl_disc_kernel(ceiling_disc, x, n, n), 0.0f) << rounding << " " << beside;
+        }
+    const vec3 below = ceiling_disc.position - vec3(0.05f, 0.01f, 0);
+    EXPECT_NEAR(double(shared::vpl_disc_kernel(ceiling_disc, below, n, n)),
+                integral(ceiling_disc, below, n, true), 0.02 / 0.09);
 }
 
 // Every pixel of a surface is in one region, and no other is; also where the image is no multiple of a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/common/object_depth.h"
+#include "techniques/frame/object_depth.h"
 
 #include "techniques/frame/scene_depth.h"
 
