@@ -84,6 +84,7 @@ TEST_F(DiffFigures, AgreesWithEvaluate) {
 TEST_F(DiffFigures, NoFigureWithoutItsConditions) {
     EXPECT_EQ(run({"reference", "builtin:cornell", "--exposure", "nan", "-o", file("a.png")}).code, 2);
     EXPECT_EQ(run({"render", "builtin:cornell", "--exposure", "inf", "-o", file("a.png")}).code, 2);
+    EXPECT_EQ(run({"reference", "builtin:cornell", "--error", "nan", "-o", file("a.png")}).code, 2);
     EXPECT_EQ(run({"reference", "builtin:cornell", "--sampling", "corner", "-o", file("a.png")}).code, 2);
 
     // One sample says nothing about its error.

@@ -49,7 +49,7 @@ CLI::Option* add_cameras_option(CLI::App& command, std::string& file) {
                               "Camera script, TOML, instead of the scene's cameras; see luxel views");
 }
 
-CLI::Option* add_exposure_option(CLI::App& command, float& exposure) {
+CLI::Validator non_negative() {
     // Written so that NaN is refused.
     const auto check = [](const std::string& text) {
         float value = -1.0f;
@@ -57,8 +57,12 @@ CLI::Option* add_exposure_option(CLI::App& command, float& exposure) {
         return read && value >= 0.0f && std::isfinite(value) ? std::string()
                                                              : text + " is no finite number of 0 or above";
     };
+    return CLI::Validator(check, "FLOAT:NONNEGATIVE", "non_negative");
+}
+
+CLI::Option* add_exposure_option(CLI::App& command, float& exposure) {
     return command.add_option("--exposure", exposure, "For .png; 0 = 98th percentile to white")
-        ->check(CLI::Validator(check, "FLOAT:NONNEGATIVE", "exposure"));
+        ->check(non_negative());
 }
 
 std::filesystem::path CacheChoice::path() const {

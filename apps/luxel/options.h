@@ -23,6 +23,9 @@ Size parse_size(const std::string& text);
 // --cameras FILE.toml.
 CLI::Option* add_cameras_option(CLI::App& command, std::string& file);
 
+// A finite number of 0 or above; CLI11's own check lets NaN pass.
+CLI::Validator non_negative();
+
 // --exposure of a .png.
 CLI::Option* add_exposure_option(CLI::App& command, float& exposure);
 

@@ -146,11 +146,11 @@ void add_reference(CLI::App& app, const Global& global) {
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();
     command->add_option("--seconds", o->reference.seconds, "Stop after this time; 0 = no limit")
-        ->check(CLI::NonNegativeNumber);
+        ->check(non_negative());
     command
         ->add_option("--error", o->reference.error,
                      "Stop at this mean relative standard error, at 16 samples or more; 0 = no target")
-        ->check(CLI::NonNegativeNumber);
+        ->check(non_negative());
     command->add_option("--seed", o->reference.seed, "Of the random numbers")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();

@@ -129,6 +129,7 @@ TEST_F(ImageDifference, SaysInWhatPicturesAreNotAlike) {
     scene.environment.radiance = other.environment.radiance = Image(4, 2, 3, 1.0f);
     Camera camera;
     camera.name = "view";
+    camera.far = INFINITY;
     const FrameOptions frame;
     const Layers picture = {{"", ramp({1, 1, 1})}};
     Attributes truth = attributes_of(scene, "a.gltf", camera, &frame);
@@ -147,6 +148,7 @@ TEST_F(ImageDifference, SaysInWhatPicturesAreNotAlike) {
     ASSERT_TRUE(camera_of(moved));
     EXPECT_EQ(camera_of(moved)->position, camera.position);
     EXPECT_EQ(camera_of(moved)->yfov, camera.yfov);
+    EXPECT_EQ(camera_of(moved)->far, camera.far);
     EXPECT_TRUE(says(warnings(attributes_of(other, "b.gltf", camera, &frame)),
                      "different scenes: a.gltf and b.gltf"));
     EXPECT_TRUE(says(warnings(attributes_of(scene, "a.gltf", camera, nullptr)), "by the true environment"));

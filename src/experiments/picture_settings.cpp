@@ -38,7 +38,7 @@ std::string value_of(const Attributes& attributes, const char* name) {
 }
 
 // Within rounding of an angle or a decimal.
-bool alike(float a, float b) { return std::abs(a - b) <= 1e-5f * std::max(std::abs(a), std::abs(b)); }
+bool alike(float a, float b) { return a == b || std::abs(a - b) <= 1e-5f * std::max(std::abs(a), std::abs(b)); }
 bool alike(glm::vec3 a, glm::vec3 b) {
     return glm::length(a - b) <= 1e-5f * std::max(glm::length(a), glm::length(b));
 }
