@@ -160,8 +160,10 @@ void look_up_material(Surface& s, const Mesh& mesh, const Material& material,
 // are left out by whoever samples the diffuse lobe.
 shared::Brdf lobes_of(const Surface& s, BrdfModel model, glm::vec3 to_viewer) {
     const float ior = s.material->ior;
+    const bool lambertian =
+        s.metallic <= 0.0f && s.specular <= 0.0f; // both models are the same, this is faster
     shared::Brdf brdf =
-        model == BrdfModel::single
+        model == BrdfModel::single || lambertian
             ? shared::make_brdf(s.base_color, s.metallic, s.roughness, ior, s.specular, s.specular_color)
             : shared::make_brdf_toward(std::abs(glm::dot(s.normal, to_viewer)), s.base_color, s.metallic,
                                        s.roughness, ior, s.specular, s.specular_color);
