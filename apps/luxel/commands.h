@@ -13,8 +13,9 @@ struct Global {
     int threads = 0;         // of the CPU; 0 = all
     std::string environment; // see LoadOptions
     float environment_scale = 1.0f;
-    std::string data;               // folder of what files call "data:PATH"
-    bool single_scattering = false; // BrdfModel::single
+    std::string data;                                          // folder of what files call "data:PATH"
+    bool single_scattering = false;                            // BrdfModel::single
+    std::string single_sided = "cull", lights = "photometric"; // see LoadOptions
 };
 
 void add_evaluate(CLI::App& app, const Global& global);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // luxel info: what is in a scene.
+#include <cmath>
 #include <cstdio>
 
 #include "options.h"
@@ -41,35 +42,52 @@ const char* impostor_kind(ImpostorKind kind) {
 
 Json vector_json(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
+// A position in the files' coordinates.
+Json place_json(const Scene& scene, glm::vec3 p) {
+    if (scene.origin == glm::dvec3(0.0)) return vector_json(p);
+    const glm::dvec3 at = scene.origin + glm::dvec3(p);
+    return {at.x, at.y, at.z};
+}
+
+// Infinite distances are null.
+Json distance_json(float v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
+
 Json describe(const Scene& scene, const std::string& source) {
     const Bounds bounds = scene.bounds();
     std::size_t texels = 0;
     for (const Texture& t : scene.textures)
         texels += std::size_t(t.pixels.width) * std::size_t(t.pixels.height);
-    Json json = {{"scene", source},
-                 {"triangles", scene.triangles()},
-                 {"meshes", scene.meshes.size()},
-                 {"instances", scene.instances.size()},
-                 {"materials", scene.materials.size()},
-                 {"textures", scene.textures.size()},
-                 {"texels", texels},
-                 {"emissive_triangles", emissive_triangles(scene).size()},
-                 {"environment", !scene.environment.empty()},
-                 {"bounds", {{"least", vector_json(bounds.least)}, {"most", vector_json(bounds.most)}}},
-                 {"lights", Json::array()},
-                 {"cameras", Json::array()},
-                 {"impostors", Json::array()},
-                 {"warnings", scene.warnings}};
+    Json json = {
+        {"scene", source},
+        {"triangles", scene.triangles()},
+        {"meshes", scene.meshes.size()},
+        {"instances", scene.instances.size()},
+        {"materials", scene.materials.size()},
+        {"textures", scene.textures.size()},
+        {"texels", texels},
+        {"emissive_triangles", emissive_triangles(scene).size()},
+        {"environment", !scene.environment.empty()},
+        {"bounds", {{"least", place_json(scene, bounds.least)}, {"most", place_json(scene, bounds.most)}}},
+        {"origin", {scene.origin.x, scene.origin.y, scene.origin.z}},
+        {"lights", Json::array()},
+        {"cameras", Json::array()},
+        {"impostors", Json::array()},
+        {"warnings", scene.warnings}};
     for (const shared::Light& light : scene.lights)
         json["lights"].push_back({{"type", light_type(light)},
-                                  {"position", vector_json(light.position)},
+                                  {"position", place_json(scene, light.position)},
                                   {"direction", vector_json(light.direction)},
                                   {"intensity", vector_json(light.intensity)}});
     for (const Camera& camera : scene.cameras)
-        json["cameras"].push_back({{"name", camera.name},
-                                   {"position", vector_json(camera.position)},
-                                   {"forward", vector_json(camera.forward)},
-                                   {"yfov", camera.yfov}});
+        json["cameras"].push_back(
+            {{"name", camera.name},
+             {"position", place_json(scene, camera.position)},
+             {"forward", vector_json(camera.forward)},
+             {"up", vector_json(camera.up)},
+             {"yfov", camera.orthographic() ? Json(nullptr) : Json(camera.yfov)},
+             {"height", camera.orthographic() ? Json(2.0f * camera.half_height) : Json(nullptr)},
+             {"near", camera.near},
+             {"far", distance_json(camera.far)}});
     for (const ImpostorObject& object : impostor_objects(scene)) {
         const Impostor& i = object.impostor;
         Json entry = {{"name", object.name}, {"kind", impostor_kind(i.kind)}, {"size", i.size}};
@@ -83,19 +101,38 @@ Json describe(const Scene& scene, const std::string& source) {
 
 std::string text_of(glm::vec3 v) { return fmt::format("({:.3g}, {:.3g}, {:.3g})", v.x, v.y, v.z); }
 
+// Positions by the files' coordinates, to the millimeter where they are large.
+std::string place_text(const Scene& scene, glm::vec3 p) {
+    if (scene.origin == glm::dvec3(0.0)) return text_of(p);
+    const glm::dvec3 at = scene.origin + glm::dvec3(p);
+    return fmt::format("({:.3f}, {:.3f}, {:.3f})", at.x, at.y, at.z);
+}
+
+std::string lens_text(const Camera& camera) {
+    const std::string reach = std::isfinite(camera.far) ? fmt::format(" to {:.4g} m", camera.far) : "";
+    return (camera.orthographic() ? fmt::format("orthographic, {:.4g} m high", 2.0f * camera.half_height)
+                                  : fmt::format("{:.1f} degrees high", glm::degrees(camera.yfov))) +
+           reach;
+}
+
 void print(const Scene& scene, const Json& json) {
     for (const char* key :
          {"triangles", "meshes", "instances", "materials", "textures", "emissive_triangles"})
         fmt::print("{:<20}{}\n", key, json[key].get<std::size_t>());
     fmt::print("{:<20}{}\n", "environment", scene.environment.empty() ? "no" : "yes");
     const Bounds bounds = scene.bounds();
-    fmt::print("{:<20}{} to {} m\n", "bounds", text_of(bounds.least), text_of(bounds.most));
+    fmt::print("{:<20}{} to {} m\n", "bounds", place_text(scene, bounds.least),
+               place_text(scene, bounds.most));
+    if (scene.origin != glm::dvec3(0.0))
+        fmt::print(
+            "{:<20}computed about ({:.10g}, {:.10g}, {:.10g}), which is subtracted from all positions\n",
+            "origin", scene.origin.x, scene.origin.y, scene.origin.z);
     for (const shared::Light& light : scene.lights)
         fmt::print("{:<20}{} at {} toward {}, intensity {}\n", "light", light_type(light),
-                   text_of(light.position), text_of(light.direction), text_of(light.intensity));
+                   place_text(scene, light.position), text_of(light.direction), text_of(light.intensity));
     for (const Camera& camera : scene.cameras)
-        fmt::print("{:<20}'{}' at {} toward {}, {:.1f} degrees high\n", "camera", camera.name,
-                   text_of(camera.position), text_of(camera.forward), glm::degrees(camera.yfov));
+        fmt::print("{:<20}'{}' at {} toward {}, {}\n", "camera", camera.name,
+                   place_text(scene, camera.position), text_of(camera.forward), lens_text(camera));
     for (const ImpostorObject& object : impostor_objects(scene)) {
         const Impostor& i = object.impostor;
         const bool cloud = i.kind == ImpostorKind::billboard_cloud;

@@ -10,10 +10,11 @@
 
 #include "commands.h"
 #include "core/error.h"
+#include "scene/load.h"
 
 namespace {
 
-using luxel::Fault;
+using luxel::Fault, luxel::light_units_names, luxel::single_sided_names;
 
 int report(Fault fault, const std::string& sentence) {
     std::fflush(stdout);
@@ -68,6 +69,17 @@ int run(int argc, char** argv) {
                    "Light from a sky instead of the scene's own: 'sky', or an equirectangular .hdr or .exr");
     app.add_option("--environment-scale", global.environment_scale, "Factor on --environment")
         ->check(CLI::Range(0.0, 1e6));
+
+    app.add_option("--single-sided", global.single_sided,
+                   "Backs of single-sided surfaces: cameras look through them (cull), or not (opaque)")
+        ->check(CLI::IsMember(single_sided_names))
+        ->capture_default_str();
+    app.add_option(
+           "--lights", global.lights,
+           "Intensities of punctual lights in glTF files: candela and lux (photometric), the same made\n"
+           "of watts by 683 lm/W (watts), or watts of the whole lamp (power)")
+        ->check(CLI::IsMember(light_units_names))
+        ->capture_default_str();
 
     app.add_option("--data", global.data,
                    "Folder of what scene files and experiments call data:...; default: $LUXEL_DATA")

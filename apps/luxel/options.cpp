@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -26,6 +27,11 @@ int parse_side(std::string_view text, std::string_view whole) {
     if (error != std::errc{} || end != text.data() + text.size() || side < 1 || side > max_image_side)
         fail(Fault::usage, "--size {}: expected WIDTHxHEIGHT, each from 1 to {}", whole, max_image_side);
     return side;
+}
+
+// CLI11 has checked that it is there.
+std::size_t place(const std::vector<std::string>& names, const std::string& name) {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 std::string ending_of(const std::string& file) { return std::filesystem::path(file).extension().string(); }
@@ -87,7 +93,9 @@ LoadOptions load_options(const Global& global) {
             .environment = global.environment,
             .environment_scale = global.environment_scale,
             .data = global.data,
-            .brdf = global.single_scattering ? BrdfModel::single : BrdfModel::multiple};
+            .brdf = global.single_scattering ? BrdfModel::single : BrdfModel::multiple,
+            .single_sided = SingleSided(place(single_sided_names, global.single_sided)),
+            .lights = LightUnits(place(light_units_names, global.lights))};
 }
 
 Scene load(const std::string& source, const Global& global) {

@@ -24,7 +24,7 @@ void run(const Options& o, const Global& global) {
     const RayCaster rays(scene);
     const std::vector<Camera> cameras = draw_views(scene, rays, o.count, std::uint32_t(o.seed));
     const std::string text = camera_file_text(
-        cameras, fmt::format("{} views of {}, drawn with seed {}", o.count, o.scene, o.seed));
+        cameras, fmt::format("{} views of {}, drawn with seed {}", o.count, o.scene, o.seed), scene.origin);
 
     if (o.output.empty()) {
         fmt::print("{}", text);

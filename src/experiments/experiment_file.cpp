@@ -77,7 +77,7 @@ ViewGroup read_views(Section& section, const Roots& roots, int seed, const ViewG
     if (const auto script = section.text("cameras")) {
         if (group.choice.drawn > 0) section.reject("cameras", "give \"count\" or \"cameras\", not both");
         group.choice.file = existing_file(section, "cameras", *script, roots);
-        load_camera_file(group.choice.file);
+        check_camera_file(group.choice.file);
     }
     if (section.has("seed") && group.choice.drawn == 0)
         section.reject("seed", "\"seed\" is of drawn views; it needs \"count\"");

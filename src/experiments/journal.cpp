@@ -30,7 +30,7 @@ void add(ContentKey& key, const ViewTask& task) {
     const Camera& c = task.camera;
     key.add(std::string_view(c.name));
     for (const glm::vec3& v : {c.position, c.forward, c.up}) key.add_bytes(&v, sizeof v);
-    for (float value : {c.yfov, c.near, c.far}) key.add(value);
+    for (float value : {c.yfov, c.near, c.far, c.half_height}) key.add(value);
     for (int value : {task.width, task.height, task.timed_frames}) key.add(value);
 }
 

@@ -16,17 +16,19 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
-Json to_json(const Camera& camera) {
-    return {{"position", to_json(camera.position)},
-            {"forward", to_json(camera.forward)},
-            {"up", to_json(camera.up)},
-            {"yfov", camera.yfov},
-            {"near", camera.near},
-            {"far", camera.far}};
-}
-
 // JSON has no infinity (a PSNR of equal images) and no NaN: they become null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json to_json(const Camera& camera) {
+    Json json = {{"position", to_json(camera.position)},
+                 {"forward", to_json(camera.forward)},
+                 {"up", to_json(camera.up)},
+                 {"yfov", camera.yfov},
+                 {"near", camera.near},
+                 {"far", number(camera.far)}};
+    if (camera.orthographic()) json["half_height"] = camera.half_height;
+    return json;
+}
 
 Json to_json(const RowName& name, const RowResult& row) {
     Json json = {{"name", name.name}, {"label", name.label}, {"parameters", luxel::to_json(name.parameters)}};

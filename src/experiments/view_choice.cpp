@@ -28,7 +28,7 @@ std::vector<Camera> all_views(const Scene& scene, const RayCaster* rays, const V
     if (!choice.file.empty() && choice.drawn > 0)
         fail(Fault::usage, "{}: cameras: give a camera script or a number of drawn views, not both",
              choice.file);
-    if (!choice.file.empty()) return load_camera_file(choice.file);
+    if (!choice.file.empty()) return load_camera_file(choice.file, scene);
     if (choice.drawn == 0) return scene.cameras;
     if (rays) return draw_views(scene, *rays, choice.drawn, choice.seed);
     return draw_views(scene, RayCaster(scene), choice.drawn, choice.seed);

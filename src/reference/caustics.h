@@ -31,7 +31,7 @@ private:
     CameraBasis camera_;
     float near_, far_;
     int width_, height_;
-    float pixel_; // its side, at distance 1
+    float pixel_; // its side, at distance 1 or everywhere (orthographic)
     float seen_;  // half extents of the image plus the largest radius, in half extents of the image
     PhotonTracer photons_;
 };

@@ -37,6 +37,7 @@ void add(ContentKey& key, const Material& m) {
          {&m.clearcoat_texture, &m.clearcoat_roughness_texture, &m.clearcoat_normal_texture})
         add(key, *use);
     // Nothing is added without: keys of before stay as they are.
+    if (m.backs_unseen) key.add(std::string_view("backs unseen"));
     if (m.has_relief()) add(key, m.height_texture), key.add(m.height_scale);
 }
 
@@ -103,6 +104,7 @@ std::uint64_t content_key(const Scene& scene, const ReferenceRequest& request) {
     const Camera& c = request.camera;
     add(key, c.position), add(key, c.forward), add(key, c.up);
     for (float value : {c.yfov, c.near, c.far, request.settings.ao_radius}) key.add(value);
+    if (c.orthographic()) key.add(c.half_height);
     const ReferenceSettings& s = request.settings;
     for (int value : {s.max_bounces, s.seed, int(s.pixel_center), int(s.ao_membership)}) key.add(value);
 

@@ -13,9 +13,10 @@ void go_behind(Ray& ray, const Hit& hit, const Surface& surface) {
     ray.t_min = 0.0f;
 }
 
-bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed) {
+bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed,
+                       bool by_camera) {
     passed = 0.0f;
-    while (rays.intersect(ray, hit)) {
+    while (by_camera ? rays.intersect_seen(ray, hit) : rays.intersect(ray, hit)) {
         const float coverage = coverage_at(rays.scene(), hit.instance, hit.triangle, {hit.u, hit.v});
         if (coverage >= 1.0f || random.next() < coverage) return true;
         go_behind(ray, hit, surface_at(rays.scene(), hit, ray.direction));

@@ -13,7 +13,8 @@ void go_behind(Ray& ray, const Hit& hit, const Surface& surface);
 
 // The nearest surface, blended ones by chance. hit.t is from the ray's origin; surfaces were passed where
 // `passed` is not 0, and then `ray` begins behind them, so far from where it began.
-bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed);
+bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed,
+                       bool by_camera = false);
 
 // Whether the scene has any that are blended.
 bool has_blended(const Scene& scene);

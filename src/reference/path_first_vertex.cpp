@@ -13,7 +13,7 @@ namespace luxel {
 FirstVertex PathTracer::first_vertex(int x, int y) const {
     FirstVertex first;
     const Ray ray = camera_ray(glm::vec2(x, y) + glm::vec2(0.5f));
-    first.found = intersect(ray, first.hit);
+    first.found = intersect_seen(ray, first.hit);
     if (!first.found) return first;
     first.surface = surface_at(*scene_, first.hit, ray.direction);
 

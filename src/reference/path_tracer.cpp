@@ -42,7 +42,13 @@ PathTracer::PathTracer(const RayCaster& rays, const ReferenceRequest& request,
       far_(request.camera.far), width_(request.width), height_(request.height) {}
 
 Ray PathTracer::camera_ray(glm::vec2 pixel) const {
-    return {camera_.position, pixel_direction(camera_, width_, height_, pixel), near_, far_};
+    return {pixel_origin(camera_, width_, height_, pixel), pixel_direction(camera_, width_, height_, pixel),
+            near_, far_};
+}
+
+bool PathTracer::intersect_seen(const Ray& ray, Hit& hit) const {
+    if (options_.log) options_.log->entries.push_back({ray, false});
+    return rays_->intersect_seen(ray, hit);
 }
 
 bool PathTracer::intersect(const Ray& ray, Hit& hit) const {
@@ -110,8 +116,8 @@ void PathTracer::send(Path& path, const FirstVertex* known) const {
     if (known)
         path.hit = known->hit, path.found = known->found;
     else
-        path.found = intersect(path.ray, path.hit);
-    if (path.found) path.length += path.hit.t;
+        path.found = path.vertex == 0 ? intersect_seen(path.ray, path.hit) : intersect(path.ray, path.hit);
+    if (path.found && !camera_.orthographic) path.length += path.hit.t;
 }
 
 Path PathTracer::start(int x, int y, int sample, const FirstVertex* first, const PhotonPass* photons) const {
@@ -120,6 +126,7 @@ Path PathTracer::start(int x, int y, int sample, const FirstVertex* first, const
     glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : path.random.next2();
     path.ray = camera_ray(glm::vec2(x, y) + jitter);
     path.from = path.ray.origin;
+    path.length = camera_.orthographic ? 1.0f : 0.0f;
     path.first = first;
     path.photons = photons;
     send(path, first);

@@ -83,7 +83,7 @@ struct Path {
     bool after_smooth = false;           // a smooth lobe sent an earlier one, or this one
     const PhotonPass* photons = nullptr; // of this sample, where there are any
     Media media;                         // that the path is inside of
-    float length = 0.0f;                 // of the way from the camera
+    float length = 0.0f;                 // of the way from the camera, as far as pixels grow with it
     float pdf = 0.0f;                    // of the present ray, where the lobe was smooth
 
     // Light that the last of `vertex` surfaces sends along the path: `all` lobes of it, `lambert` its diffuse
@@ -132,6 +132,7 @@ public:
 private:
     Ray camera_ray(glm::vec2 pixel) const;
     bool intersect(const Ray& ray, Hit& hit) const;
+    bool intersect_seen(const Ray& ray, Hit& hit) const; // of rays from the camera
     bool occluded(const ShadingPoint& point, const LightArrival& light) const;
 
     // Next-event estimation (path_lights.cpp): samples of all lights (of the emitters, one that was chosen),

@@ -61,7 +61,7 @@ void PhotonSource::find_targets() {
         const Instance& instance = scene_->instances[i];
         const Mesh& mesh = scene_->meshes[std::size_t(instance.mesh)];
         if (!specular[std::size_t(mesh.material)]) continue;
-        const float winding = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+        const float winding = handedness(instance.transform);
         for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
             const ShadingTriangle s = shading_triangle(*scene_, i, t);
             const glm::vec3 &a = s.positions[0], &b = s.positions[1], &c = s.positions[2];

@@ -43,7 +43,7 @@ private:
 // One pass as camera paths meet it.
 struct PhotonPass {
     PhotonMap map;
-    float radius; // at the distance 1
+    float radius; // at the distance 1, or everywhere (orthographic)
 };
 
 // Radiance that the smooth lobes of `point` reflect of the photons within `radius`, and what the radius adds

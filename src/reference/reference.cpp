@@ -126,7 +126,8 @@ void add_photons(const CausticTracer& tracer, const std::vector<std::string>& co
 void add_paths(const PathTracer& tracer, const std::optional<PhotonTracer>& photons,
                const ReferenceRequest& request, int first, int count, Film& film) {
     const ReferenceSettings& settings = request.settings;
-    const float pixel = 2.0f * std::tan(request.camera.yfov / 2.0f) / float(request.height);
+    const float pixel =
+        camera_basis(request.camera, request.width, request.height).pixel_side(request.height, 1.0f);
     const int block =
         photons ? std::clamp(photons_at_once / settings.photons, 1, passes_at_once) : std::max(count, 1);
     std::vector<PhotonPass> passes;
@@ -185,8 +186,10 @@ Image surface_mask(const RayCaster& rays, const Camera& camera, int width, int h
     for_each_pixel(width, height, [&](int x, int y) {
         const glm::vec2 center(float(x) + 0.5f, float(y) + 0.5f);
         Hit hit;
-        const bool seen = rays.intersect(
-            {camera.position, pixel_direction(basis, width, height, center), camera.near, camera.far}, hit);
+        const bool seen =
+            rays.intersect_seen({pixel_origin(basis, width, height, center),
+                                 pixel_direction(basis, width, height, center), camera.near, camera.far},
+                                hit);
         *mask.at(x, y) = seen ? 1.0f : 0.0f;
     });
     return mask;

@@ -25,7 +25,7 @@ protected:
 
     std::vector<Camera> read(const std::string& text) {
         write_file(file_, text);
-        return load_camera_file(file_);
+        return load_camera_file(file_, cornell());
     }
     void expect_error(const std::string& text, const std::string& part) {
         try {
@@ -58,6 +58,30 @@ TEST_F(CameraFile, ReadsBackWhatWasWritten) {
         EXPECT_EQ(read_back[i].near, cameras[i].near);
         EXPECT_EQ(read_back[i].far, cameras[i].far);
     }
+}
+
+// Positions are in the coordinates of the scene's files; infinity is what is not said.
+TEST_F(CameraFile, FarScenesAndParallelProjection) {
+    Scene scene = cornell();
+    scene.origin = {500003.5, 100, -5000000};
+    Camera plan;
+    plan.name = "plan";
+    plan.position = {0.001f, 2.5f, 3};
+    plan.half_height = 1.25f, plan.near = 0.0f, plan.far = 7.0f;
+    const std::string text = camera_file_text({plan, Camera{}}, "two", scene.origin);
+    EXPECT_NE(text.find("500003.501"), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf"), std::string::npos);
+    write_file(file_, text);
+    const std::vector<Camera> cameras = load_camera_file(file_, scene);
+    ASSERT_EQ(cameras.size(), 2u);
+    EXPECT_EQ(cameras[0].position, plan.position);
+    EXPECT_EQ(cameras[0].half_height, 1.25f);
+    EXPECT_EQ(cameras[0].near, 0.0f);
+    EXPECT_EQ(cameras[0].far, 7.0f);
+    EXPECT_EQ(cameras[1].far, Camera{}.far);
+    expect_error(
+        "[[camera]]\nposition = [0, 0, 0]\nforward = [0, 0, 1]\nyfov_degrees = 40\northographic_height = 2\n",
+        "not both");
 }
 
 TEST_F(CameraFile, NamesAndCommentsStayWhatTheyAre) {

@@ -46,8 +46,8 @@ public:
     Tessellator(const Scene& scene, const Instance& instance, float edge)
         : scene_(scene), instance_(instance), mesh_(scene.meshes[std::size_t(instance.mesh)]),
           material_(scene.materials[std::size_t(mesh_.material)]),
-          mirrored_(glm::determinant(glm::mat3(instance.transform)) < 0.0f),
-          field_(height_field(scene, material_)), edge_(edge) {
+          mirrored_(handedness(instance.transform) < 0.0f), field_(height_field(scene, material_)),
+          edge_(edge) {
         const glm::mat3 m(instance.transform);
         to_normal_ = glm::mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])) *
                      (mirrored_ ? -1.0f : 1.0f);

@@ -23,7 +23,7 @@ void append_instance(const Scene& scene, std::uint32_t index, EmissionMeans& mea
     const Material& material = scene.materials[std::size_t(mesh.material)];
     if (luminance(material.emission) <= 0.0f) return;
 
-    const float winding = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    const float winding = handedness(instance.transform);
     for (std::uint32_t t = 0; t < mesh.indices.size() / 3; ++t) {
         const std::uint32_t* k = &mesh.indices[std::size_t(t) * 3];
         EmissiveTriangle e{};

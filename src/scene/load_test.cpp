@@ -2,12 +2,14 @@
 // Dispatch by prefix and extension, stated defaults, and one sentence for what is not supported.
 #include "scene/load.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "scene/environment.h"
+#include "scene/gltf/test_gltf.h"
 #include "scene/validate.h"
 #include "support/build_folders.h"
 #include "support/data.h"
@@ -100,6 +102,26 @@ TEST(Load, BuiltinCornellEqualsThePublishedScene) {
     EXPECT_LT(glm::length(file.cameras[0].position - made.cameras[0].position), 1e-6f);
     EXPECT_LT(glm::length(file.cameras[0].forward - made.cameras[0].forward), 1e-6f);
     EXPECT_NEAR(file.cameras[0].yfov, made.cameras[0].yfov, 1e-4f);
+}
+
+// Blender's "standard" mode: 1000 W become 54351 cd, while what glows keeps its watts.
+TEST(Load, LampsThatOutshineEverythingAreWarnedOf) {
+    testing::TestGltf file;
+    file.material()["emissiveFactor"] = {1, 1, 1};
+    file.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 54351}}};
+    file.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    file.json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 10}}});
+    file.json["scenes"][0]["nodes"] = {0, 1, 2};
+    const std::string path = file.save().string();
+    const auto warned = [](const Scene& scene) {
+        return std::any_of(scene.warnings.begin(), scene.warnings.end(), [](const std::string& w) {
+            return w.find("--lights watts") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(warned(load_scene(path)));
+    const Scene scene = load_scene(path, {.lights = LightUnits::watts});
+    EXPECT_FALSE(warned(scene));
+    EXPECT_FLOAT_EQ(scene.lights[0].intensity.x, 54351.0f / 683.0f);
 }
 
 } // namespace

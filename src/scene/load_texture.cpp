@@ -34,7 +34,7 @@ std::string decode(const TextureRequest& request, Pixels& pixels) {
     try {
         bytes = request.read();
     } catch (const Error& error) {
-        if (error.fault() != Fault::io) throw;
+        if (error.fault() != Fault::io && error.fault() != Fault::bad_input) throw;
         return error.what();
     }
     if (!bytes) return request.image + ": no such file";

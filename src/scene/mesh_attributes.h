@@ -9,13 +9,24 @@ namespace luxel {
 // One normal per face: vertices are no longer shared between triangles. Needs valid indices.
 void make_flat(Mesh& mesh);
 
-// Makes normals unit length; those of no length become the mean of the faces around their vertex, by area.
-void repair_normals(Mesh& mesh);
+// Makes normals unit length; those of no length or not finite become the mean of the faces around their
+// vertex, by area, and are counted.
+int repair_normals(Mesh& mesh);
 
-// Per-vertex tangents along +u of the given texcoord set, accumulated by area over the faces and made
-// orthogonal to the normal. Not MikkTSpace exactly: vertices are not split where the handedness changes, and
-// angles do not weigh.
+// Takes out triangles that have a position that is not finite, and counts them. (Triangles without area stay:
+// nothing ever meets them.)
+int drop_bad_triangles(Mesh& mesh);
+
+// Per-vertex tangents along +u of the given texcoord set, by the rules of MikkTSpace, which glTF names: the
+// faces around a vertex count by their angles; those whose texture is mirrored, and those that share no edge,
+// do not mix, for which shared vertices are split; vertices that are equal in position, normal and texture
+// coordinates are one.
 void make_tangents(Mesh& mesh, int set, const glm::mat3& uv_transform);
+inline constexpr std::size_t tangent_bytes_per_corner =
+    160; // most memory that it takes, split vertices included
+
+// The vertices order[0], order[1], ... of the mesh become its vertices; indices are as they were.
+void gather_vertices(Mesh& mesh, const std::vector<std::uint32_t>& order);
 
 // Keeps the vertices that indices refer to, in the order of their first use.
 void drop_unused_vertices(Mesh& mesh);

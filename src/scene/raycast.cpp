@@ -36,6 +36,30 @@ void reject_all(const RTCFilterFunctionNArguments* arguments) {
     for (unsigned i = 0; i < arguments->N; ++i) arguments->valid[i] = 0;
 }
 
+// A query that passes backs which cameras look through.
+struct SeenContext {
+    RTCIntersectContext embree; // first: Embree hands this address to the filter
+    const std::vector<float>* winding;
+    const std::vector<char>* one_sided;
+};
+
+// Rejects the backs of the instances that are seen from their front alone.
+void reject_backs(const RTCFilterFunctionNArguments* arguments) {
+    const auto& context = *reinterpret_cast<const SeenContext*>(arguments->context);
+    for (unsigned i = 0; i < arguments->N; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        const unsigned instance = RTCHitN_geomID(arguments->hit, arguments->N, i);
+        if (!(*context.one_sided)[instance]) continue;
+        const glm::vec3 normal(RTCHitN_Ng_x(arguments->hit, arguments->N, i),
+                               RTCHitN_Ng_y(arguments->hit, arguments->N, i),
+                               RTCHitN_Ng_z(arguments->hit, arguments->N, i));
+        const glm::vec3 direction(RTCRayN_dir_x(arguments->ray, arguments->N, i),
+                                  RTCRayN_dir_y(arguments->ray, arguments->N, i),
+                                  RTCRayN_dir_z(arguments->ray, arguments->N, i));
+        if (glm::dot(normal, direction) * (*context.winding)[instance] > 0.0f) arguments->valid[i] = 0;
+    }
+}
+
 RTCRay embree_ray(const Ray& ray) {
     RTCRay r;
     r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
@@ -59,12 +83,14 @@ struct RayCaster::Data {
     Data& operator=(const Data&) = delete;
 
     void add(std::uint32_t instance);
+    bool nearest(const Ray& ray, RTCIntersectContext* context, Hit& hit) const;
     void check(const char* what) const;
 
     const Scene* scene;
     RTCDevice device = nullptr;
     RTCScene tree = nullptr;
     std::vector<float> winding;         // per instance: -1 where the transform mirrors
+    std::vector<char> one_sided;        // per instance: cameras look through its backs
     std::vector<MaskedInstance> masked; // per instance, for the filters
     std::vector<ShadingMesh> shading;   // per instance
 };
@@ -79,7 +105,8 @@ void RayCaster::Data::check(const char* what) const {
 void RayCaster::Data::add(std::uint32_t index) {
     const Instance& instance = scene->instances[index];
     const Mesh& mesh = scene->meshes[std::size_t(instance.mesh)];
-    winding[index] = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    winding[index] = handedness(instance.transform);
+    one_sided[index] = scene->materials[std::size_t(mesh.material)].looks_through_back();
     if (mesh.indices.empty()) return;
     shading[index] = shading_mesh(*scene, index);
 
@@ -113,8 +140,10 @@ RayCaster::RayCaster(const Scene& scene) : data_(std::make_unique<Data>(scene)) 
         fail(Fault::resource, "{}: ray casting: Embree has no device on this processor", scene.name);
     data_->tree = rtcNewScene(data_->device);
     rtcSetSceneBuildQuality(data_->tree, RTC_BUILD_QUALITY_HIGH);
-    rtcSetSceneFlags(data_->tree, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(data_->tree,
+                     RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     data_->winding.resize(scene.instances.size());
+    data_->one_sided.resize(scene.instances.size());
     data_->masked.resize(scene.instances.size());
     data_->shading.resize(scene.instances.size());
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) data_->add(i);
@@ -126,23 +155,38 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
-bool RayCaster::intersect(const Ray& ray, Hit& hit) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+bool RayCaster::Data::nearest(const Ray& ray, RTCIntersectContext* context, Hit& hit) const {
     RTCRayHit query;
     query.ray = embree_ray(ray);
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(data_->tree, &context, &query);
+    rtcIntersect1(tree, context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     hit.t = query.ray.tfar;
     hit.instance = query.hit.geomID;
     hit.triangle = query.hit.primID;
     hit.u = query.hit.u, hit.v = query.hit.v;
-    hit.geometric_normal =
-        glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z) * data_->winding[hit.instance];
-    hit.shading = &data_->shading[hit.instance];
+    hit.geometric_normal = glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z) * winding[hit.instance];
+    hit.shading = &shading[hit.instance];
     prefetch(*hit.shading, hit.triangle);
     return true;
+}
+
+bool RayCaster::intersect(const Ray& ray, Hit& hit) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    return data_->nearest(ray, &context, hit);
+}
+
+bool RayCaster::intersect_seen(const Ray& ray, Hit& hit) const {
+    // Most rays meet fronts, which need no filter. (Starting again behind a back would miss a front that lies
+    // in its plane, as where two surfaces stand back to back.)
+    if (!intersect(ray, hit)) return false;
+    if (!data_->one_sided[hit.instance] || glm::dot(hit.geometric_normal, ray.direction) <= 0.0f) return true;
+    SeenContext context;
+    rtcInitIntersectContext(&context.embree);
+    context.embree.filter = reject_backs;
+    context.winding = &data_->winding, context.one_sided = &data_->one_sided;
+    return data_->nearest(ray, &context.embree, hit);
 }
 
 bool RayCaster::occluded(const Ray& ray) const {

@@ -33,7 +33,9 @@ public:
     RayCaster& operator=(RayCaster&&) noexcept;
 
     bool intersect(const Ray& ray, Hit& hit) const; // nearest hit
-    bool occluded(const Ray& ray) const;            // any hit
+    // The same for a camera, which looks through the backs that Material::looks_through_back says.
+    bool intersect_seen(const Ray& ray, Hit& hit) const;
+    bool occluded(const Ray& ray) const; // any hit
     const Scene& scene() const;
     void* embree_scene() const; // RTCScene, for the benchmark that compares with bare queries
 

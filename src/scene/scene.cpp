@@ -35,9 +35,9 @@ CameraBasis camera_basis(const Camera& camera, int width, int height) {
     right = glm::normalize(right);
     const glm::vec3 up = glm::cross(right, camera.forward);
 
-    const float half_height = std::tan(camera.yfov * 0.5f);
+    const float half_height = camera.orthographic() ? camera.half_height : std::tan(camera.yfov * 0.5f);
     const float half_width = half_height * float(width) / float(height);
-    return {camera.position, camera.forward, right * half_width, up * half_height};
+    return {camera.position, camera.forward, right * half_width, up * half_height, camera.orthographic()};
 }
 
 } // namespace luxel

@@ -54,8 +54,12 @@ struct Material {
           clearcoat_roughness = 0.0f; // KHR_materials_clearcoat: a coat of index 1.5 over it all
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
-    bool double_sided =
-        false; // single-sided surfaces emit from their front only; both kinds are opaque from behind
+    // Single-sided surfaces emit from their front only; to light, both kinds are opaque from behind.
+    bool double_sided = false;
+    // Cameras look through the backs, as glTF displays single-sided surfaces. Light does not: shadows and
+    // bounces meet them. The boundaries of solids stay, as their backs are what an eye inside looks through.
+    bool backs_unseen = false;
+    bool looks_through_back() const { return backs_unseen && (thin || transmission <= 0.0f); }
     TextureUse base_color_texture, metallic_roughness_texture, normal_texture, emission_texture,
         specular_texture, specular_color_texture, transmission_texture, clearcoat_texture,
         clearcoat_roughness_texture, clearcoat_normal_texture;
@@ -104,9 +108,11 @@ struct Camera {
         up{0.0f, 1.0f, 0.0f}; // unit, up need not be orthogonal
     float yfov = 0.9f;        // radians, vertical, whole angle
     float near = 0.01f;       // meters
-    float far = 1000.0f;      // meters; geometry beyond it is not seen
+    // Meters along `forward`; geometry beyond it is not seen. Infinite: all is seen.
+    float far = std::numeric_limits<float>::infinity();
     float half_height =
         0.0f; // orthographic when > 0: half of the image's height in meters; yfov has no say then
+    bool orthographic() const { return half_height > 0.0f; }
 };
 
 // Infinitely distant light from an equirectangular map. Direction (0, 1, 0) is the top row; the middle column
@@ -142,23 +148,44 @@ struct Scene {
     std::vector<shared::Light> lights; // punctual only; emissive meshes are found through materials
     std::vector<Camera> cameras;       // never empty after load_scene
     Environment environment;
+    // Where (0, 0, 0) is in the coordinates that the files use. Scenes far from their origin are moved to it,
+    // because single precision holds millimeters only for some kilometers.
+    glm::dvec3 origin{0.0};
     std::vector<std::string> warnings; // one sentence each; e.g. a missing texture that was substituted
 
     Bounds bounds() const; // world
     std::size_t triangles() const;
 };
 
+// -1 where a transform mirrors, otherwise 1. In double: the product of small scales underflows.
+inline float handedness(const glm::mat4& transform) {
+    return glm::determinant(glm::dmat3(transform)) < 0.0 ? -1.0f : 1.0f;
+}
+
 // A position and a direction basis for pixel rays; the frame uses the same numbers.
 // Ray through pixel (x, y) of width x height at sub-pixel offset `jitter` in [0, 1)^2, (.5, .5) = center:
 // direction = forward + right * (2 (x + jitter.x) / width - 1) * tan(yfov / 2) * width / height
 //                     - up * ... (row 0 on top); not normalized: its component along `forward` is 1.
+// An orthographic camera's rays all go forward, from the plane through its position.
 struct CameraBasis {
     glm::vec3 position, forward, right, up; // right and up already scaled by the half extents at distance 1
+                                            // (perspective) or of the image (orthographic)
+    bool orthographic = false;
+    // The side of a pixel of an image so many pixels high: at distance t, or everywhere.
+    float pixel_side(int height, float t) const {
+        return 2.0f * glm::length(up) / float(height) * (orthographic ? 1.0f : t);
+    }
 };
 CameraBasis camera_basis(const Camera& camera, int width, int height);
+// From the middle of the image, in half extents.
+inline glm::vec3 pixel_offset(const CameraBasis& b, int width, int height, glm::vec2 pixel) {
+    return b.right * (2.0f * pixel.x / float(width) - 1.0f) - b.up * (2.0f * pixel.y / float(height) - 1.0f);
+}
 inline glm::vec3 pixel_direction(const CameraBasis& b, int width, int height, glm::vec2 pixel) {
-    return b.forward + b.right * (2.0f * pixel.x / float(width) - 1.0f) -
-           b.up * (2.0f * pixel.y / float(height) - 1.0f);
+    return b.orthographic ? b.forward : b.forward + pixel_offset(b, width, height, pixel);
+}
+inline glm::vec3 pixel_origin(const CameraBasis& b, int width, int height, glm::vec2 pixel) {
+    return b.orthographic ? b.position + pixel_offset(b, width, height, pixel) : b.position;
 }
 
 } // namespace luxel

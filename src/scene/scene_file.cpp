@@ -11,6 +11,7 @@
 #include "scene/environment.h"
 #include "scene/lights.h"
 #include "scene/printable.h"
+#include "scene/recenter.h"
 #include "scene/scene_file_objects.h"
 #include "scene/scene_file_section.h"
 
@@ -58,19 +59,19 @@ glm::mat3 rotation(glm::vec3 degrees) {
     return z * y * x;
 }
 
-// Moves everything that has a place; light intensities stay, as glTF has it for scaled nodes.
-void place(Scene& scene, glm::vec3 translation, const glm::mat3& turn, glm::vec3 scale) {
+// Moves everything that has a place; light intensities stay, as glTF has it for scaled nodes. The translation
+// goes to the part's origin, which is in double.
+void place(Scene& part, const glm::dvec3& translation, const glm::mat3& turn, glm::vec3 scale) {
     const glm::mat3 linear = turn * glm::mat3(scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z);
-    glm::mat4 transform(linear);
-    transform[3] = glm::vec4(translation, 1.0f);
-    for (Instance& instance : scene.instances) instance.transform = transform * instance.transform;
-    for (shared::Light& light : scene.lights) {
-        light.position = linear * light.position + translation;
+    part.origin = glm::dmat3(linear) * part.origin + translation;
+    for (Instance& instance : part.instances) instance.transform = glm::mat4(linear) * instance.transform;
+    for (shared::Light& light : part.lights) {
+        light.position = linear * light.position;
         light.direction = turn * light.direction;
         light.range *= std::cbrt(scale.x * scale.y * scale.z);
     }
-    for (Camera& camera : scene.cameras) {
-        camera.position = linear * camera.position + translation;
+    for (Camera& camera : part.cameras) {
+        camera.position = linear * camera.position;
         camera.forward = glm::normalize(turn * camera.forward);
         camera.up = glm::normalize(turn * camera.up);
     }
@@ -104,37 +105,59 @@ void merge(Scene& scene, Scene part) {
     append(scene.warnings, part.warnings);
 }
 
-void read_geometry(Section& top, const std::filesystem::path& root, const LoadOptions& options,
-                   Scene& scene) {
+// The geometry files, each in its place.
+std::vector<Scene> load_parts(Section& top, const std::filesystem::path& root, const LoadOptions& options) {
     const auto load = [&](const Section& section, const std::string& file) {
         if (file.starts_with("builtin:")) return load_geometry(file, options);
         return load_geometry(beneath(root, options.data, file, section).string(), options);
     };
 
     // The short form names one file.
+    std::vector<Scene> parts;
     if (!top.has("geometry")) top.reject("geometry", "\"geometry\" is missing");
     if (top.is_text("geometry")) {
-        merge(scene, load(top, *top.text("geometry")));
-        return;
+        parts.push_back(load(top, *top.text("geometry")));
+        return parts;
     }
     std::vector<Section> sections = top.sections("geometry");
     if (sections.size() > max_geometry_files)
         top.reject("geometry", fmt::format("more than {} geometry files", max_geometry_files));
     for (Section& section : sections) {
         const std::string file = section.required_text("file");
-        const glm::vec3 translation =
-            section.triple("translate", -far_away, far_away).value_or(glm::vec3(0.0f));
+        const glm::dvec3 translation = section.place("translate").value_or(glm::dvec3(0.0));
         const glm::vec3 degrees = section.triple("rotate_degrees", -3600, 3600).value_or(glm::vec3(0.0f));
         const glm::vec3 scale = section.triple("scale", 1e-6, 1e6, true).value_or(glm::vec3(1.0f));
         section.finish();
-        Scene part = load(section, file);
-        place(part, translation, rotation(degrees), scale);
+        place(parts.emplace_back(load(section, file)), translation, rotation(degrees), scale);
+    }
+    return parts;
+}
+
+// All parts in one scene, about an origin that suits them together.
+void read_geometry(Section& top, const std::filesystem::path& root, const LoadOptions& options,
+                   Scene& scene) {
+    std::vector<Scene> parts = load_parts(top, root, options);
+    DoubleBounds bounds;
+    for (const Scene& part : parts) {
+        glm::dmat4 placed(1.0);
+        placed[3] = glm::dvec4(part.origin, 1.0);
+        bounds.add(part.bounds(), placed);
+    }
+    scene.origin = origin_of(bounds);
+    for (Scene& part : parts) {
+        move_origin(part, scene.origin);
         merge(scene, std::move(part));
     }
 }
 
-shared::Light read_light(Section& section) {
-    shared::Light light{};
+struct PlacedLight {
+    shared::Light light;      // but for its position
+    glm::dvec3 position{0.0}; // in the files' coordinates
+};
+
+PlacedLight read_light(Section& section) {
+    PlacedLight read{};
+    shared::Light& light = read.light;
     const std::string type = section.required_text("type");
     if (type == "point")
         light.type = shared::LIGHT_POINT;
@@ -148,12 +171,12 @@ shared::Light read_light(Section& section) {
 
     // Only what the type knows is asked for, so that anything else is reported.
     light.intensity = section.required_triple("intensity", 0, bright, true);
-    const auto position = section.triple("position", -far_away, far_away);
+    const auto position = section.place("position");
     if (light.type != shared::LIGHT_DIRECTIONAL) {
         if (!position) section.reject("type", fmt::format("a {} light needs \"position\"", type));
         light.range = section.number("range", 0, far_away).value_or(0.0f);
     }
-    light.position = position.value_or(glm::vec3(0.0f));
+    read.position = position.value_or(glm::dvec3(0.0));
     light.direction = {0, -1, 0};
     if (light.type != shared::LIGHT_POINT) {
         const auto direction = section.aim("direction", position);
@@ -168,7 +191,7 @@ shared::Light read_light(Section& section) {
         light.cos_inner = std::cos(radians(inner)), light.cos_outer = std::cos(radians(outer));
     }
     section.finish();
-    return light;
+    return read;
 }
 
 Image read_map(Section& section, const Folder& folder, const std::string& file,
@@ -205,13 +228,15 @@ Scene load_scene_file(const std::filesystem::path& path, const LoadOptions& opti
     Section top(table, path.string(), "");
 
     // Small things first: a slip in a light should not cost the loading of the geometry.
-    Scene scene, added;
+    Scene scene;
+    std::vector<PlacedLight> lights;
+    std::vector<PlacedCamera> cameras;
     scene.name = top.text("name").value_or(path.stem().string());
     const bool replace_lights = top.flag("replace_lights").value_or(false);
     const bool replace_cameras = top.flag("replace_cameras").value_or(false);
-    for (Section& section : top.sections("light")) added.lights.push_back(read_light(section));
+    for (Section& section : top.sections("light")) lights.push_back(read_light(section));
     for (Section& section : top.sections("camera"))
-        added.cameras.push_back(read_camera(section, added.cameras.size() + 1));
+        cameras.push_back(read_camera(section, cameras.size() + 1));
     std::vector<ObjectRule> rules;
     for (Section& section : top.sections("object")) rules.push_back(read_object_rule(section));
     auto environment = top.section("environment");
@@ -224,9 +249,15 @@ Scene load_scene_file(const std::filesystem::path& path, const LoadOptions& opti
     // The file's own cameras come before those of its geometry: they were chosen for it.
     if (replace_lights) scene.lights.clear();
     if (replace_cameras) scene.cameras.clear();
-    append(scene.lights, added.lights);
-    append(added.cameras, scene.cameras);
-    scene.cameras = std::move(added.cameras);
+    for (PlacedLight& read : lights) {
+        read.light.position = glm::vec3(read.position - scene.origin);
+        scene.lights.push_back(read.light);
+    }
+    const float radius = scene.bounds().radius();
+    std::vector<Camera> own;
+    for (const PlacedCamera& read : cameras) own.push_back(read.in_scene(scene.origin, radius));
+    own.insert(own.end(), scene.cameras.begin(), scene.cameras.end());
+    scene.cameras = std::move(own);
     return scene;
 }
 

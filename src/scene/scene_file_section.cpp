@@ -82,18 +82,18 @@ std::optional<bool> Section::flag(std::string_view key) {
     return value->get();
 }
 
-float Section::checked(std::string_view key, const toml::node& node, double least, double most) const {
+double Section::checked(std::string_view key, const toml::node& node, double least, double most) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value) reject(key, fmt::format("\"{}\" must be made of numbers", key));
     if (!(*value >= least && *value <= most))
         reject(key, fmt::format("\"{}\" is {}, not within [{}, {}]", key, *value, least, most));
-    return float(*value);
+    return *value;
 }
 
 std::optional<float> Section::number(std::string_view key, double least, double most) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    return checked(key, *node, least, most);
+    return float(checked(key, *node, least, most));
 }
 
 std::optional<int> Section::integer(std::string_view key, int least, int most) {
@@ -154,12 +154,21 @@ std::vector<std::pair<std::string, std::vector<std::string>>> Section::values(st
 std::optional<glm::vec3> Section::triple(std::string_view key, double least, double most, bool allow_one) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    if (allow_one && node->is_number()) return glm::vec3(checked(key, *node, least, most));
+    if (allow_one && node->is_number()) return glm::vec3(float(checked(key, *node, least, most)));
     const toml::array* array = node->as_array();
     if (!array || array->size() != 3)
         reject(key, fmt::format("\"{}\" must be {}[x, y, z]", key, allow_one ? "a number or " : ""));
     glm::vec3 value;
-    for (int i = 0; i < 3; ++i) value[i] = checked(key, (*array)[std::size_t(i)], least, most);
+    for (int i = 0; i < 3; ++i) value[i] = float(checked(key, (*array)[std::size_t(i)], least, most));
+    return value;
+}
+
+std::optional<glm::dvec3> Section::place(std::string_view key) {
+    const auto rounded = triple(key, -far_away, far_away);
+    if (!rounded) return std::nullopt;
+    glm::dvec3 value;
+    const toml::array& array = *find(key)->as_array();
+    for (int i = 0; i < 3; ++i) value[i] = checked(key, array[std::size_t(i)], -far_away, far_away);
     return value;
 }
 
@@ -170,14 +179,16 @@ std::optional<glm::vec3> Section::direction(std::string_view key) {
     return glm::normalize(*value);
 }
 
-std::optional<glm::vec3> Section::aim(std::string_view direction_key, std::optional<glm::vec3> position) {
+std::optional<glm::vec3> Section::aim(std::string_view direction_key,
+                                      const std::optional<glm::dvec3>& position) {
     const auto given = direction(direction_key);
-    const auto target = triple("target", -far_away, far_away);
+    const auto target = place("target");
     if (!target) return given;
     if (given) reject("target", fmt::format("give \"{}\" or \"target\", not both", direction_key));
     if (!position) reject("target", "\"target\" needs \"position\"");
-    if (glm::length(*target - *position) < 1e-6f) reject("target", "\"target\" is where \"position\" is");
-    return glm::normalize(*target - *position);
+    const glm::dvec3 way = *target - *position;
+    if (glm::length(way) < 1e-9) reject("target", "\"target\" is where \"position\" is");
+    return glm::vec3(glm::normalize(way));
 }
 
 std::optional<Section> Section::section(std::string_view key) {

@@ -39,9 +39,11 @@ public:
     std::vector<std::pair<std::string, std::vector<std::string>>> values(std::string_view key);
     // Three numbers, or one that stands for all three where `allow_one`.
     std::optional<glm::vec3> triple(std::string_view key, double least, double most, bool allow_one = false);
+    // A position: in double, as it may be far from the origin.
+    std::optional<glm::dvec3> place(std::string_view key);
     std::optional<glm::vec3> direction(std::string_view key); // made unit
     // A direction under `direction_key`, or from `position` to a "target".
-    std::optional<glm::vec3> aim(std::string_view direction_key, std::optional<glm::vec3> position);
+    std::optional<glm::vec3> aim(std::string_view direction_key, const std::optional<glm::dvec3>& position);
     std::optional<Section> section(std::string_view key);
     std::vector<Section> sections(std::string_view key); // [[key]]
 
@@ -56,7 +58,7 @@ public:
 
 private:
     const toml::node* find(std::string_view key);
-    float checked(std::string_view key, const toml::node& node, double least, double most) const;
+    double checked(std::string_view key, const toml::node& node, double least, double most) const;
     [[noreturn]] void missing(std::string_view key) const;
 
     const toml::table* table_;

@@ -292,6 +292,33 @@ TEST_F(SceneFile, DataIsReadBeneathTheFolderThatTheUserNames) {
     EXPECT_THROW(load_scene(file, options), Error);
 }
 
+// Everything moved by the same coordinates of a national grid is the same scene, to less than a millimeter.
+TEST_F(SceneFile, ScenesFarAwayAreTheSame) {
+    const auto at = [this](const std::string& x, const std::string& height) {
+        return load("[[geometry]]\nfile = \"models/lamp.obj\"\ntranslate = [" + x + ".25, 0, 0]\n" +
+                    "[[geometry]]\nfile = \"models/lamp.obj\"\ntranslate = [" + x + ".5, 0.001, 0]\n" +
+                    "[[light]]\ntype = \"point\"\nintensity = 1\nposition = [" + x + ".75, 2, 0]\n" +
+                    "[[camera]]\nposition = [" + x + ".125, 0, 3]\ntarget = [" + x + ".125, 0, 0]\n" +
+                    height);
+    };
+    const Scene near = at("0", ""), far = at("500000", "orthographic_height = 4.0\n");
+    EXPECT_EQ(near.origin, glm::dvec3(0.0));
+    EXPECT_NEAR(far.origin.x, 500000.0, 2.0);
+    const float by = float(500000.0 - far.origin.x);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(far.instances[i].transform[3].x - by, near.instances[i].transform[3].x, 1e-6f);
+        EXPECT_NEAR(far.instances[i].transform[3].y, near.instances[i].transform[3].y, 1e-9f);
+    }
+    EXPECT_NEAR(far.lights[0].position.x - by, 0.75f, 1e-6f);
+    EXPECT_NEAR(far.cameras[0].position.x - by, 0.125f, 1e-6f);
+    EXPECT_EQ(far.cameras[0].forward, glm::vec3(0, 0, -1));
+    EXPECT_EQ(far.cameras[0].half_height, 2.0f);
+    EXPECT_EQ(far.cameras[0].near, 0.0f);
+    EXPECT_FALSE(near.cameras[0].orthographic());
+    EXPECT_LT(near.cameras[0].near, 0.0011f); // a thousandth of the scene's radius
+    EXPECT_TRUE(std::isinf(near.cameras[0].far));
+}
+
 // The scene files of the repository, where their data are.
 TEST(Scenes, LoadWithTheirData) {
     const std::map<std::string, std::size_t> triangles = {{"ring", 202},

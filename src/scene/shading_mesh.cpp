@@ -8,10 +8,6 @@ const Mesh& mesh_of(const Scene& scene, std::uint32_t instance) {
     return scene.meshes[std::size_t(scene.instances[instance].mesh)];
 }
 
-float handedness(const glm::mat4& transform) {
-    return glm::determinant(glm::mat3(transform)) < 0.0f ? -1.0f : 1.0f;
-}
-
 // Columns are cross products of the transform's: the inverse transpose up to a positive factor.
 glm::mat3 normal_matrix(const glm::mat4& transform) {
     glm::vec3 x(transform[0]), y(transform[1]), z(transform[2]);

@@ -165,7 +165,8 @@ private:
         require(is_unit(c.forward) && is_unit(c.up), "its axes are not of unit length");
         require(glm::length(glm::cross(c.forward, c.up)) > 1e-4f, "it looks along its up direction");
         require(c.yfov > 0.0f && c.yfov < 3.1415926f, "its field of view is not within 0 and 180 degrees");
-        require(c.near > 0.0f && c.far > c.near && finite(c.far),
+        require(finite(c.half_height) && c.half_height >= 0.0f, "its height is negative or not finite");
+        require((c.near > 0.0f || (c.orthographic() && c.near == 0.0f)) && c.far > c.near,
                 "its near and far distances are out of order");
     }
 

@@ -187,7 +187,6 @@ std::vector<Camera> default_cameras(const Scene& scene) {
         camera.position = bounds.center() + outward * distance;
         camera.forward = -outward;
         camera.near = (distance - radius) * 0.5f;
-        camera.far = distance + 2.0f * radius;
         cameras.push_back(camera);
     }
     return cameras;
@@ -208,7 +207,6 @@ std::vector<Camera> draw_views(const Scene& scene, const RayCaster& rays, int co
         if (!judge.accepts(camera, shared::hash2(seed, attempt))) continue;
         camera.name = fmt::format("seed {} view {}", seed, views.size() + 1);
         camera.near = 5e-4f * bounds.radius();
-        camera.far = 4.0f * bounds.radius();
         views.push_back(camera);
     }
     return views;

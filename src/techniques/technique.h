@@ -51,6 +51,9 @@ public:
     // capture of the scene are drawn, before any render(). Without one they are not looked at.
     virtual std::optional<shared::HeightSearch> height_search() const { return std::nullopt; }
 
+    // Whether render() takes the frame of an orthographic camera, whose view rays are parallel.
+    virtual bool takes_parallel_views() const { return false; }
+
     // The renderer that has called prepare(); it expires with it.
     std::weak_ptr<const void> prepared_by;
 };

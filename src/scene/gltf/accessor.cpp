@@ -36,13 +36,16 @@ Component component_of(const Value& value) {
     return Component(code);
 }
 
+constexpr int matrix_components = 16;
+
 int components_of(const Value& value) {
     const std::string& type = value.text();
     if (type == "SCALAR") return 1;
     if (type == "VEC2") return 2;
     if (type == "VEC3") return 3;
     if (type == "VEC4") return 4;
-    value.fail("\"{}\" is neither SCALAR nor VEC2 to VEC4", printable(type));
+    if (type == "MAT4") return matrix_components;
+    value.fail("\"{}\" is none of SCALAR, VEC2 to VEC4 and MAT4", printable(type));
 }
 
 // Elements at a fixed stride. Invariant: (count - 1) * stride + size <= bytes.size().
@@ -72,8 +75,10 @@ struct Accessor {
     Strided data; // data.count == 0: all zeros
 };
 
-Accessor describe(Document& document, const Value& reference) {
+Accessor describe(Document& document, const Value& reference, bool matrix = false) {
     const Value json = document.resolve("accessors", reference);
+    if (matrix != (components_of(json["type"]) == matrix_components))
+        json.fail("is {} instead of a {}", json["type"].text(), matrix ? "MAT4" : "vector");
     Accessor a{json,
                component_of(json["componentType"]),
                components_of(json["type"]),
@@ -163,7 +168,7 @@ template <int N> std::vector<glm::vec<N, float>> read_vectors(Document& document
                                                               bool allow_vec3_as_vec4) {
     const Accessor a = describe(document, reference);
     if (a.components != N && !(allow_vec3_as_vec4 && a.components == 3))
-        a.json.fail("is a vector of {} components instead of {}", a.components, N);
+        a.json.fail("is a {} instead of a vector of {} components", a.json["type"].text(), N);
     if (a.component == Component::uint32) a.json.fail("32-bit integers cannot be vertex attributes");
     document.charge(a.count, sizeof(glm::vec<N, float>));
 
@@ -176,10 +181,6 @@ template <int N> std::vector<glm::vec<N, float>> read_vectors(Document& document
         with_type(a.component,
                   [&](auto kind) { convert<decltype(kind), N>(sparse.values, a, out, &sparse.targets); });
     }
-
-    for (std::size_t i = 0; i < out.size(); ++i)
-        for (int c = 0; c < N; ++c)
-            if (!std::isfinite(out[i][c])) a.json.fail("element {} is not finite", i);
     return out;
 }
 
@@ -197,6 +198,22 @@ std::vector<glm::vec3> read_vec3(Document& document, const Value& reference) {
 }
 std::vector<glm::vec4> read_vec4(Document& document, const Value& reference, bool allow_vec3_as_vec4) {
     return read_vectors<4>(document, reference, allow_vec3_as_vec4);
+}
+
+std::vector<glm::mat4> read_mat4(Document& document, const Value& reference) {
+    const Accessor a = describe(document, reference, true);
+    if (a.component != Component::float32) a.json.fail("is not made of floats");
+    document.charge(a.count, sizeof(glm::mat4));
+    std::vector<glm::mat4> out(std::size_t(a.count), glm::mat4(0.0f));
+    const auto copy = [&out](const Strided& data, const std::vector<std::uint32_t>* targets) {
+        for (std::size_t i = 0; i < data.count; ++i)
+            out[targets ? (*targets)[i] : i] = load<glm::mat4>(data.bytes.data() + i * data.stride);
+    };
+    copy(a.data, nullptr);
+    if (!a.json["sparse"]) return out;
+    const Sparse sparse = read_sparse(document, a);
+    copy(sparse.values, &sparse.targets);
+    return out;
 }
 
 std::vector<std::uint32_t> read_indices(Document& document, const Value& reference) {

@@ -85,7 +85,7 @@ TEST(RealSceneContent, GeneratedTangentsAgreeWithStoredOnes) {
         if (stored.empty()) continue;
         make_tangents(mesh, 0, glm::mat3(1.0f));
         for (std::size_t i = 0; i < stored.size(); ++i) {
-            ASSERT_GT(glm::dot(glm::vec3(stored[i]), glm::vec3(mesh.tangents[i])), 0.99f) << i;
+            ASSERT_GT(glm::dot(glm::vec3(stored[i]), glm::vec3(mesh.tangents[i])), 0.9999f) << i;
             ASSERT_EQ(stored[i].w, mesh.tangents[i].w) << i;
         }
         compared += stored.size();

@@ -48,7 +48,7 @@ public:
     void charge(std::uint64_t count, std::uint64_t bytes_each);
 
     // Equal sentences are counted, not repeated.
-    void warn(const std::string& sentence) { ++warnings_[sentence]; }
+    void warn(const std::string& sentence, int count = 1) { warnings_[sentence] += count; }
     std::vector<std::string> warnings() const;
 
 private:

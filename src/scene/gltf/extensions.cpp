@@ -9,14 +9,23 @@ namespace luxel::gltf {
 namespace {
 
 // Read, or of no consequence for a still image of the default variant.
-constexpr std::array<std::string_view, 13> supported{
+constexpr std::array<std::string_view, 17> supported{
     "KHR_lights_punctual",     "KHR_materials_emissive_strength",
     "KHR_materials_ior",       "KHR_materials_transmission",
     "KHR_materials_specular",  "KHR_materials_volume",
-    "KHR_materials_clearcoat", "KHR_materials_unlit",
-    "KHR_texture_transform",   "KHR_mesh_quantization",
-    "EXT_meshopt_compression", "KHR_materials_variants",
-    "KHR_xmp_json_ld"};
+    "KHR_materials_unlit",     "KHR_texture_transform",
+    "KHR_mesh_quantization",   "EXT_meshopt_compression",
+    "KHR_materials_variants",  "KHR_xmp_json_ld",
+    "EXT_mesh_gpu_instancing", "KHR_node_visibility",
+    "KHR_node_selectability",  "KHR_node_hoverability",
+    "KHR_materials_clearcoat"};
+
+// Of nodes, meshes and primitives: read, or without an image of their own.
+constexpr std::array<std::string_view, 10> known_of_nodes{
+    "KHR_lights_punctual",    "EXT_mesh_gpu_instancing",    "KHR_node_visibility",
+    "KHR_node_selectability", "KHR_node_hoverability",      "KHR_xmp_json_ld",
+    "KHR_materials_variants", "KHR_draco_mesh_compression", "EXT_structural_metadata",
+    "EXT_mesh_features"};
 
 std::string_view advice(std::string_view extension) {
     if (extension == "KHR_draco_mesh_compression")
@@ -45,8 +54,15 @@ void check_version_and_extensions(Document& document) {
             fail(Fault::unsupported, "{}: {}: the extension {} is not supported{}", document.name(),
                  required.at(i).place(), printable(name), advice(name));
     }
-    if (root["animations"].size() > 0) document.warn("animations are not played, the scene is at rest");
-    if (root["skins"].size() > 0) document.warn("skins are not applied, meshes are in their bind pose");
+    if (root["animations"].size() > 0) document.warn("animations are not played, the rest pose is shown");
+}
+
+void warn_of_extensions(Document& document, const Value& value, Bearer bearer) {
+    constexpr std::array names{"node", "mesh", "primitive"};
+    for (const std::string& name : value["extensions"].members())
+        if (std::find(known_of_nodes.begin(), known_of_nodes.end(), name) == known_of_nodes.end())
+            document.warn(fmt::format("the extension {} of a {} is not supported and left out",
+                                      printable(name), names[std::size_t(bearer)]));
 }
 
 } // namespace luxel::gltf

@@ -195,14 +195,15 @@ TEST(Gltf, ComposesNodeTransforms) {
     const Scene scene = file.load();
     ASSERT_EQ(scene.instances.size(), 1u);
     // (1, 0, 0) is scaled to (2, 0, 0), moved to (12, 0, 0), turned to (0, 12, 0), moved by (1, 2, 3).
-    expect_near(glm::vec3(scene.instances[0].transform * glm::vec4(1, 0, 0, 1)), {1, 14, 3}, 1e-5f);
+    expect_near(glm::vec3(scene.instances[0].transform * glm::vec4(1, 0, 0, 1)) + glm::vec3(scene.origin),
+                {1, 14, 3}, 1e-5f);
 }
 
 TEST(Gltf, SharesMeshesBetweenInstances) {
     TestGltf file;
     file.json["nodes"] = {{{"mesh", 0}, {"name", "left"}},
                           {{"mesh", 0}, {"scale", {-1, 1, 1}}},
-                          {{"mesh", 0}, {"scale", {0, 1, 1}}}};
+                          {{"mesh", 0}, {"scale", {0, 1, 0}}}};
     file.json["scenes"][0]["nodes"] = {0, 1, 2};
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes.size(), 1u);
@@ -220,7 +221,7 @@ TEST(Gltf, ShowsParentlessNodesOfAFileWithoutScenes) {
     file.json["nodes"] = {{{"mesh", 0}}, {{"children", {0}}, {"translation", {0, 0, 7}}}};
     const Scene scene = file.load();
     ASSERT_EQ(scene.instances.size(), 1u);
-    EXPECT_EQ(scene.instances[0].transform[3].z, 7.0f);
+    EXPECT_EQ(double(scene.instances[0].transform[3].z) + scene.origin.z, 7.0);
 }
 
 TEST(Gltf, DropsVerticesThatAPrimitiveDoesNotUse) {
@@ -235,26 +236,33 @@ TEST(Gltf, DropsVerticesThatAPrimitiveDoesNotUse) {
     for (const glm::vec3& n : mesh.normals) expect_near(n, {0, 0, 1});
 }
 
-TEST(Gltf, ReadsPerspectiveCameras) {
+TEST(Gltf, ReadsCameras) {
     TestGltf file;
     file.json["cameras"] = {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}, {"name", "front"}},
-        {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0}, {"zfar", 1}}}}};
+        {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 3}, {"znear", 0}, {"zfar", 9}}}},
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"zfar", 40}}}}};
     const float half = std::sqrt(0.5f);
     file.json["nodes"].push_back(
         {{"camera", 0}, {"rotation", {0, half, 0, half}}, {"translation", {0, 1, 0}}});
     file.json["nodes"].push_back({{"camera", 1}});
-    file.json["scenes"][0]["nodes"] = {0, 1, 2};
+    file.json["nodes"].push_back({{"camera", 2}});
+    file.json["scenes"][0]["nodes"] = {0, 1, 2, 3};
     const Scene scene = file.load();
-    ASSERT_EQ(scene.cameras.size(), 1u);
+    ASSERT_EQ(scene.cameras.size(), 3u);
     EXPECT_EQ(scene.cameras[0].name, "front");
     EXPECT_FLOAT_EQ(scene.cameras[0].yfov, 0.7f);
     EXPECT_FLOAT_EQ(scene.cameras[0].near, 0.1f);
+    EXPECT_TRUE(std::isinf(scene.cameras[0].far)); // glTF 2.0, section 3.10.3: infinite without zfar
+    EXPECT_FALSE(scene.cameras[0].orthographic());
     expect_near(scene.cameras[0].forward, {-1, 0, 0});
     expect_near(scene.cameras[0].up, {0, 1, 0});
     expect_near(scene.cameras[0].position, {0, 1, 0});
-    ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_CONTAINS(scene.warnings[0], "orthographic");
+    EXPECT_EQ(scene.cameras[1].half_height, 3.0f);
+    EXPECT_EQ(scene.cameras[1].near, 0.0f);
+    EXPECT_EQ(scene.cameras[1].far, 9.0f);
+    EXPECT_EQ(scene.cameras[2].far, 40.0f);
+    EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(Gltf, ReadsPunctualLights) {
@@ -286,6 +294,14 @@ TEST(Gltf, ReadsPunctualLights) {
     EXPECT_EQ(lights[1].intensity, glm::vec3(1));
     EXPECT_EQ(lights[2].type, shared::LIGHT_POINT);
     EXPECT_EQ(lights[2].intensity, glm::vec3(3));
+
+    // Blender's exporter: watts / (4 pi) x 683 ("standard"), or watts ("raw"); a sun's have no 4 pi.
+    const auto watts = file.load({.lights = LightUnits::watts}).lights;
+    EXPECT_FLOAT_EQ(watts[0].intensity.x, 20.0f / 683.0f);
+    EXPECT_FLOAT_EQ(watts[1].intensity.x, 1.0f / 683.0f);
+    const auto power = file.load({.lights = LightUnits::power}).lights;
+    EXPECT_FLOAT_EQ(power[2].intensity.x, 3.0f / (4.0f * 3.14159265f));
+    EXPECT_EQ(power[1].intensity.x, 1.0f);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
     Scene scene;
     scene.name = path.stem().string();
     gltf::read_materials(document, scene, options);
-    gltf::read_nodes(document, scene);
+    gltf::read_nodes(document, scene, options);
     scene.warnings = document.warnings();
     validate_scene(scene, document.name());
     return scene;

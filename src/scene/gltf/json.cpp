@@ -104,11 +104,11 @@ std::uint64_t Value::integer() const {
     fail_kind("a non-negative integer");
 }
 
-float Value::number() const {
+double Value::real() const {
     if (!json_ || !json_->is_number()) fail_kind("a number");
     const double value = json_->get<double>();
     if (!(std::abs(value) <= double(std::numeric_limits<float>::max()))) fail("is too large a number");
-    return float(value);
+    return value;
 }
 
 bool Value::flag(bool fallback) const {
@@ -122,10 +122,25 @@ const std::string& Value::text() const {
     return json_->get_ref<const std::string&>();
 }
 
-void Value::numbers(std::span<float> out) const {
+void Value::numbers(std::span<double> out) const {
     if (!json_) return;
     if (size() != out.size()) fail("has {} elements instead of {}", size(), out.size());
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = at(i).number();
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = at(i).real();
+}
+
+void Value::numbers(std::span<float> out) const {
+    if (!json_) return;
+    std::vector<double> values(out.size());
+    numbers(std::span<double>(values));
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = float(values[i]);
+}
+
+std::vector<std::string> Value::members() const {
+    std::vector<std::string> names;
+    if (!json_) return names;
+    if (!json_->is_object()) fail_kind("an object");
+    for (const auto& [name, value] : json_->items()) names.push_back(name);
+    return names;
 }
 
 std::size_t Value::index(std::size_t count, const char* what) const {

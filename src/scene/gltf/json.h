@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -43,16 +44,24 @@ public:
     // Errors when the value is absent (without a fallback) or of another kind.
     std::uint64_t integer() const;
     std::uint64_t integer(std::uint64_t fallback) const { return json_ ? integer() : fallback; }
-    float number() const; // finite
+    double real() const; // finite, also in single precision
+    float number() const { return float(real()); }
     float number(float fallback) const { return json_ ? number() : fallback; }
     bool flag(bool fallback) const;
     const std::string& text() const;
     std::string text(const char* fallback) const { return json_ ? text() : std::string(fallback); }
-    void numbers(std::span<float> out) const; // exactly out.size() of them; nothing happens when absent
+    // Exactly out.size() of them; nothing happens when absent.
+    void numbers(std::span<float> out) const;
+    void numbers(std::span<double> out) const;
     template <int N> glm::vec<N, float> vec(glm::vec<N, float> fallback) const {
-        numbers({&fallback[0], std::size_t(N)});
+        numbers(std::span<float>(&fallback[0], std::size_t(N)));
         return fallback;
     }
+    template <int N> glm::vec<N, double> dvec(glm::vec<N, double> fallback) const {
+        numbers(std::span<double>(&fallback[0], std::size_t(N)));
+        return fallback;
+    }
+    std::vector<std::string> members() const; // names of an object's members; none when absent
 
     // Integer below `count`: an index into `what`.
     std::size_t index(std::size_t count, const char* what) const;

@@ -98,7 +98,29 @@ TEST(GltfMalformed, UrisThatLeaveTheFolder) {
         textured.json["images"] = {{{"uri", uri}}};
         textured.json["textures"] = {{{"source", 0}}};
         textured.material()["emissiveTexture"] = {{"index", 0}};
-        error_of(textured);
+        const Scene scene = textured.load();
+        ASSERT_EQ(scene.warnings.size(), 1u) << uri;
+        EXPECT_CONTAINS(scene.warnings[0], "replaced by grey");
+        EXPECT_EQ(scene.textures[0].pixels.width, 1);
+        sentence(Fault::bad_input, [&] { textured.load({.strict = true}); });
+    }
+}
+
+TEST(GltfMalformed, DotSegmentsAreResolvedBeforeTheyAreJudged) {
+    for (const char* uri : {"a.bin", "./a.bin", "sub/../a.bin", "absent/../a.bin", "sub/%2e%2e/a.bin",
+                            "sub/../sub/./../a.bin", "sub//b.bin", "sub\\b.bin", "absent\\..\\a.bin"}) {
+        TestGltf file;
+        file.folder.add("a.bin", std::span<const std::uint8_t>(file.bytes));
+        file.folder.add("sub/b.bin", std::span<const std::uint8_t>(file.bytes));
+        file.json["buffers"] = {{{"uri", uri}, {"byteLength", 36}}};
+        EXPECT_EQ(file.load().triangles(), 1u) << uri;
+    }
+    for (const char* uri :
+         {"sub/../../a.bin", "../a.bin", "..\\a.bin", "sub\\..\\..\\a.bin", "sub/..", "."}) {
+        TestGltf file;
+        file.folder.add("sub/b.bin", std::span<const std::uint8_t>(file.bytes));
+        file.json["buffers"] = {{{"uri", uri}, {"byteLength", 36}}};
+        error_of(file);
     }
 }
 
@@ -167,7 +189,8 @@ TEST(GltfMalformed, TypesAndReferences) {
     };
     EXPECT_CONTAINS(change([](TestGltf& f) { f.accessor(0)["componentType"] = 5124; }), "componentType");
     EXPECT_CONTAINS(change([](TestGltf& f) { f.accessor(0)["componentType"] = 5125; }), "32-bit integers");
-    EXPECT_CONTAINS(change([](TestGltf& f) { f.accessor(0)["type"] = "VEC2"; }), "2 components instead of 3");
+    EXPECT_CONTAINS(change([](TestGltf& f) { f.accessor(0)["type"] = "VEC2"; }),
+                    "VEC2 instead of a vector of 3");
     EXPECT_CONTAINS(change([](TestGltf& f) { f.accessor(0)["type"] = "MAT4"; }), "MAT4");
     EXPECT_CONTAINS(change([](TestGltf& f) { f.attributes()["POSITION"] = 1; }),
                     "accessors 1 does not exist");
@@ -249,7 +272,7 @@ TEST(GltfMalformed, NumbersThatAreNotFinite) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         TestGltf file;
         file.attributes()["POSITION"] = file.add_vectors<3>({{0, 0, 0}, {1, bad, 0}, {0, 1, 0}});
-        EXPECT_CONTAINS(error_of(file), "accessors[1]: element 1 is not finite");
+        EXPECT_CONTAINS(error_of(file), "the scene has no triangles");
     }
     TestGltf overflow;
     overflow.json["nodes"] = {{{"scale", {1e30, 1e30, 1e30}}, {"children", {1}}},
@@ -333,6 +356,15 @@ TEST(GltfUri, DecodesPercent) {
     EXPECT_EQ(gltf::decode_percent("100%"), "100%");
     EXPECT_EQ(gltf::decode_percent("%4"), "%4");
     EXPECT_EQ(gltf::decode_percent("%zz%2E"), "%zz.");
+}
+
+TEST(GltfUri, ResolvesDots) {
+    EXPECT_EQ(gltf::without_dots("a/./b/../c"), "a/c");
+    EXPECT_EQ(gltf::without_dots("a/.."), "");
+    EXPECT_EQ(gltf::without_dots("a/b/../.."), "");
+    EXPECT_EQ(gltf::without_dots("..a/b.."), "..a/b..");
+    EXPECT_FALSE(gltf::without_dots(".."));
+    EXPECT_FALSE(gltf::without_dots("a/../../a"));
 }
 
 } // namespace

@@ -137,6 +137,8 @@ void read_materials(Document& document, Scene& scene, const LoadOptions& options
     for (std::size_t i = 0; i < all.size(); ++i)
         scene.materials.push_back(read_material(document, textures, all.at(i)));
     scene.materials.emplace_back().name = "default";
+    for (Material& m : scene.materials)
+        m.backs_unseen = !m.double_sided && options.single_sided == SingleSided::cull;
     scene.textures = textures.load(options);
 }
 

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/extensions.h"
 #include "scene/mesh_attributes.h"
+#include "scene/recenter.h"
 
 namespace luxel::gltf {
 namespace {
@@ -67,6 +69,15 @@ auto attribute(Document& document, const Value& reference, std::size_t vertices,
     return values;
 }
 
+// Replaces elements that are not finite and counts them.
+template <class T>
+void replace_bad(Document& document, std::vector<T>& values, const T& by, const char* sentence) {
+    int count = 0;
+    for (T& v : values)
+        if (!is_finite(v)) v = by, ++count;
+    if (count > 0) document.warn(sentence, count);
+}
+
 void read_attributes(Document& document, const Value& attributes, Mesh& mesh) {
     const std::size_t vertices = mesh.positions.size();
     mesh.normals = attribute(document, attributes["NORMAL"], vertices, read_vec3);
@@ -78,6 +89,32 @@ void read_attributes(Document& document, const Value& attributes, Mesh& mesh) {
     if (!mesh.normals.empty())
         mesh.tangents = attribute(document, attributes["TANGENT"], vertices,
                                   [](Document& d, const Value& v) { return read_vec4(d, v); });
+}
+
+// Values that are not finite. Positions cannot be guessed: their triangles go.
+void repair_values(Document& document, Mesh& mesh) {
+    if (const int dropped = drop_bad_triangles(mesh))
+        document.warn("triangles with a position that is not finite are left out", dropped);
+    replace_bad(document, mesh.texcoords[0], glm::vec2(0.0f),
+                "texture coordinates that are not finite are replaced by 0");
+    replace_bad(document, mesh.texcoords[1], glm::vec2(0.0f),
+                "texture coordinates that are not finite are replaced by 0");
+    replace_bad(document, mesh.colors, glm::vec4(1.0f),
+                "vertex colors that are not finite are replaced by white");
+    replace_bad(document, mesh.tangents, glm::vec4(0.0f),
+                "tangents that are not finite are left out, and their mesh's made from texture coordinates");
+}
+
+void complete_normals(Document& document, Mesh& mesh) {
+    if (mesh.normals.empty()) {
+        document.charge(mesh.indices.size(),
+                        2 * sizeof(glm::vec3) + 2 * sizeof(glm::vec2) + sizeof(glm::vec4));
+        make_flat(mesh);
+    }
+    if (const int repaired = repair_normals(mesh))
+        document.warn(
+            "normals that are not finite or of no length are replaced by those of the faces around them",
+            repaired);
 }
 
 bool usable(const std::vector<glm::vec4>& tangents) {
@@ -94,15 +131,15 @@ void complete_tangents(Document& document, Mesh& mesh, const TextureUse& normal_
         for (glm::vec4& t : mesh.tangents)
             t = glm::vec4(glm::normalize(glm::vec3(t)), t.w < 0.0f ? -1.0f : 1.0f);
     } else {
-        document.charge(mesh.positions.size(), sizeof(glm::vec4) + 2 * sizeof(glm::dvec3));
+        document.charge(mesh.indices.size(), tangent_bytes_per_corner);
         make_tangents(mesh, normal_texture.set, normal_texture.transform);
     }
 }
 
 } // namespace
 
-std::optional<Mesh> read_primitive(Document& document, const Value& primitive, const Scene& scene,
-                                   int default_material) {
+std::optional<Primitive> read_primitive(Document& document, const Value& primitive, const Scene& scene,
+                                        int default_material, const Deformation& deformation) {
     const std::uint64_t mode_code = primitive["mode"].integer(4);
     if (mode_code > std::uint64_t(Mode::fan)) primitive.fail("{} is not a primitive mode", mode_code);
     const Mode mode = Mode(mode_code);
@@ -110,8 +147,10 @@ std::optional<Mesh> read_primitive(Document& document, const Value& primitive, c
         document.warn("points and lines are not drawn");
         return std::nullopt;
     }
+    warn_of_extensions(document, primitive, Bearer::primitive);
 
-    Mesh mesh;
+    Primitive result;
+    Mesh& mesh = result.mesh;
     const Value material = primitive["material"];
     mesh.material =
         material ? int(material.index(std::size_t(default_material), "material")) : default_material;
@@ -130,16 +169,27 @@ std::optional<Mesh> read_primitive(Document& document, const Value& primitive, c
         return std::nullopt;
     }
 
+    // At rest: morph targets by their weights, then the skin. Skinned vertices are moved to their middle
+    // already.
+    morph(document, primitive, deformation.weights, mesh);
+    if (deformation.joints)
+        result.skinned = apply_skin(document, primitive, *deformation.joints, mesh, result.middle);
+    if (deformation.joints && !result.skinned)
+        document.warn("a mesh without joints does not follow its skin");
+    repair_values(document, mesh);
+    if (mesh.indices.empty()) {
+        document.warn("a primitive without finite triangles is not drawn");
+        return std::nullopt;
+    }
+
     // Exporters share one large vertex array between primitives: then most vertices of each copy are unused.
     if (mesh.positions.size() > mesh.indices.size()) drop_unused_vertices(mesh);
-    if (mesh.normals.empty()) {
-        document.charge(mesh.indices.size(),
-                        2 * sizeof(glm::vec3) + 2 * sizeof(glm::vec2) + sizeof(glm::vec4));
-        make_flat(mesh);
-    }
-    repair_normals(mesh);
+    for (glm::vec3& p : mesh.positions)
+        if (!is_finite(p)) p = mesh.positions[mesh.indices[0]]; // no triangle has it any more
+    if (!result.skinned) result.middle = recenter(mesh);
+    complete_normals(document, mesh);
     complete_tangents(document, mesh, scene.materials[std::size_t(mesh.material)].normal_texture);
-    return mesh;
+    return result;
 }
 
 } // namespace luxel::gltf

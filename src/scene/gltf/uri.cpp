@@ -86,6 +86,28 @@ std::string decode_percent(std::string_view text) {
     return decoded;
 }
 
+std::optional<std::string> without_dots(std::string_view path) {
+    std::vector<std::string_view> kept;
+    while (!path.empty()) {
+        const std::size_t slash = std::min(path.find('/'), path.size());
+        const std::string_view component = path.substr(0, slash);
+        path.remove_prefix(std::min(slash + 1, path.size()));
+        if (component.empty() || component == ".") continue;
+        if (component != "..") {
+            kept.push_back(component);
+            continue;
+        }
+        if (kept.empty()) return std::nullopt;
+        kept.pop_back();
+    }
+    std::string resolved;
+    for (const std::string_view component : kept) {
+        if (!resolved.empty()) resolved += '/';
+        resolved += component;
+    }
+    return resolved;
+}
+
 std::string uri_name(const std::string& uri) {
     return is_data(uri) ? std::string("data URI") : printable(decode_percent(uri));
 }
@@ -96,9 +118,22 @@ std::optional<std::vector<std::uint8_t>> read_uri(const Folder& folder, const Va
     if (is_data(uri)) return decode_data(where, uri, limit);
     if (has_scheme(uri)) where.fail("\"{}\" is neither a data URI nor a relative path", printable(uri));
 
-    const std::string path = decode_percent(uri);
-    if (path.empty() || path.find('\0') != path.npos) where.fail("\"{}\" is not a path", printable(path));
-    return folder.read(path, limit);
+    std::string path = decode_percent(uri);
+    if (path.empty() || path.front() == '/' || path.find('\0') != path.npos)
+        where.fail("\"{}\" is no path within the folder of the scene", printable(path));
+    const auto read = [&](const std::string& from) -> std::optional<std::vector<std::uint8_t>> {
+        const auto resolved = without_dots(from);
+        if (!resolved) where.fail("\"{}\": the path leaves the folder", printable(from));
+        if (resolved->empty()) where.fail("\"{}\" is no file", printable(from));
+        return folder.read(*resolved, limit);
+    };
+    auto bytes = read(path);
+    if (bytes || path.find('\\') == path.npos) return bytes;
+
+    // Exporters on Windows write its separators, though URIs have but one.
+    std::replace(path.begin(), path.end(), '\\', '/');
+    if (path.front() == '/') return std::nullopt;
+    return read(path);
 }
 
 } // namespace luxel::gltf

@@ -15,6 +15,10 @@ namespace luxel::gltf {
 std::optional<std::vector<std::uint8_t>> read_uri(const Folder& folder, const Value& uri,
                                                   std::uint64_t limit);
 
+// The path without "." and "..", which are resolved before anything is opened (RFC 3986, section 5.2.4): a
+// folder that ".." leaves again need not exist. nullopt: it leads out of its folder.
+std::optional<std::string> without_dots(std::string_view path);
+
 // What to call it in a sentence.
 std::string uri_name(const std::string& uri);
 

@@ -35,10 +35,10 @@ void add_settings(Export& out) {
 // Explicit vectors: POV-Ray's own up and right would mirror a right-handed scene.
 void add_camera(Export& out, const Camera& camera, int width, int height) {
     const CameraBasis b = camera_basis(camera, width, height);
-    out.add("// {}, {} x {} pixels\ncamera {{\n  perspective\n  location {}\n  direction {}\n  right {}\n"
+    out.add("// {}, {} x {} pixels\ncamera {{\n  {}\n  location {}\n  direction {}\n  right {}\n"
             "  up {}\n}}\n\n",
-            ascii(camera.name), width, height, vector(b.position), vector(b.forward), vector(b.right * 2.0f),
-            vector(b.up * 2.0f));
+            ascii(camera.name), width, height, b.orthographic ? "orthographic" : "perspective",
+            vector(b.position), vector(b.forward), vector(b.right * 2.0f), vector(b.up * 2.0f));
 }
 
 bool emits(const Material& material) { return material.emission != glm::vec3(0.0f); }

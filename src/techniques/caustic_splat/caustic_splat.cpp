@@ -8,6 +8,7 @@ namespace {
 class CausticSplat final : public CausticTechnique {
 public:
     CausticSplat() : CausticTechnique("caustic_splat") {}
+    bool takes_parallel_views() const override { return true; }
     void visit(Visitor& v) override {
         options_.visit(v);
         v.real("radius", radius_, {0.5, 128}, "of a photon, texels of the caustic cube map");

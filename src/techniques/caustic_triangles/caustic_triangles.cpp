@@ -12,6 +12,7 @@ enum class CausticRim { splat, flux, density }; // CAUSTIC_RIM_*
 class CausticTriangles final : public CausticTechnique {
 public:
     CausticTriangles() : CausticTechnique("caustic_triangles") {}
+    bool takes_parallel_views() const override { return true; }
     void visit(Visitor& v) override {
         options_.visit(v);
         v.choice("area", area_, {"third", "thesis"},

@@ -30,7 +30,7 @@ void main() {
 
     CubeRay ray;
     ray.x = position - p.cube.center;
-    ray.r = normalize(position - p.view.position);
+    ray.r = normalize(pixel_direction(p.view, vec2(pixel) + 0.5));
     ray.weight = vec3(1);
     ray.inside = ior > 0.0 && texelFetch(geometric_normal, pixel, 0).a < 0.0;
     ray.depth = 0;

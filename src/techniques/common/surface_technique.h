@@ -9,6 +9,7 @@ class SurfaceTechnique : public Technique {
 public:
     explicit SurfaceTechnique(bool depth) : depth_(depth) {}
     Slot slot() const override { return Slot::surface; }
+    bool takes_parallel_views() const override { return true; }
     Contribution render(gpu::Recorder&, const Frame&) override { return {}; }
 
 protected:

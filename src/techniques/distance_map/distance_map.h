@@ -11,6 +11,7 @@ namespace luxel {
 class DistanceMap final : public Technique {
 public:
     Slot slot() const override { return Slot::specular; }
+    bool takes_parallel_views() const override { return true; }
     void visit(Visitor& v) override;
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

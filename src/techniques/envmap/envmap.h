@@ -35,6 +35,7 @@ public:
     Receivers receivers() const override {
         return options_.probes == EnvmapProbes::grid ? Receivers::all : Receivers::dynamic_objects;
     }
+    bool takes_parallel_views() const override { return true; }
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

@@ -26,7 +26,7 @@ void main() {
     if (z <= 0.0 || texelFetch(direct, pixel, 0).a != 0.0) return;
     if (!shows_object(texelFetch(object_depth, pixel, 0).r, texelFetch(hardware_depth, pixel, 0).r)) return;
 
-    vec3 wo = normalize(p.view.position - world_position(p.view, vec2(pixel) + 0.5, z));
+    vec3 wo = -normalize(pixel_direction(p.view, vec2(pixel) + 0.5));
     vec3 n = normalize(texelFetch(normal, pixel, 0).xyz);
     float roughness = texelFetch(diffuse, pixel, 0).a;
     vec4 f = texelFetch(specular, pixel, 0);

@@ -32,7 +32,7 @@ std::vector<Capture> blended_layers(gpu::Recorder& recorder, const GpuScene& sce
     for (int i = 0; i < count; ++i) {
         CaptureRequest request{.view = view,
                                .prefix = "blended " + std::to_string(i) + " ",
-                               .sides = Sides::all,
+                               .sides = Sides::seen,
                                .blended = true,
                                .drawn = instances};
         if (i > 0) request.farther_than = layers.back().gbuffer.depth;

@@ -43,8 +43,9 @@ struct Capture {
 };
 
 // Which sides of surfaces a capture shows: all, but behind `farther_than` no backs of single-sided surfaces
-// (they are the insides of solids); those two without exception; or one alone.
-enum class Sides { standard, all, front, back };
+// (they are the insides of solids); those that the scene's cameras see, which is for views from their places;
+// both without exception; or one alone.
+enum class Sides { standard, seen, all, front, back };
 
 struct CaptureRequest {
     shared::ViewParams view; // width and height are the capture's

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/frame/gbuffer.h"
 
+#include <span>
+
 #include "techniques/frame/displaced_params.h"
 
 namespace luxel {
@@ -27,6 +29,16 @@ gpu::Image at_the_eye(gpu::Recorder& recorder, const Capture& capture) {
     return zero;
 }
 
+// Parts of the scene by what is to be left out of them.
+struct Part {
+    Facing facing;
+    gpu::Cull cull;
+};
+constexpr Part whole[] = {{Facing::any, gpu::Cull::none}};
+constexpr Part seen_parts[] = {{Facing::both, gpu::Cull::none},
+                               {Facing::front, gpu::Cull::back},
+                               {Facing::mirrored_front, gpu::Cull::front}};
+
 } // namespace
 
 gpu::RasterPass gbuffer_pass(const Capture& capture) {
@@ -52,15 +64,20 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
     const Frustum frustum = frustum_of(capture.view.world_to_clip);
     const bool one_side = request.sides == Sides::front || request.sides == Sides::back;
     const bool peels = request.farther_than || one_side || request.blended;
+    const std::span<const Part> parts =
+        request.sides == Sides::seen ? std::span<const Part>(seen_parts) : std::span<const Part>(whole);
 
     // Depth of what is opaque comes first, so that each pixel is shaded about once. It cannot peel: which
     // surfaces have a back is their material's business. Reliefs are where their search ends.
     const bool apart = capture.search.has_value();
     gpu::RasterPass pass = gbuffer_pass(capture);
-    if (!peels) {
-        recorder.draw("frame/depth", {.depth = pass.depth}, capture.view.world_to_clip,
-                      scene.vertex_bindings(MaterialUse::none), scene.indices(),
-                      scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn, apart));
+    for (const Part& part : parts) {
+        if (peels) break;
+        const std::vector<gpu::Batch> batches =
+            scene.batches(frustum, Surfaces::opaque, MaterialUse::none, request.drawn, apart, part.facing);
+        if (batches.empty() && !pass.depth->clear) continue;
+        recorder.draw("frame/depth", {.depth = pass.depth, .cull = part.cull}, capture.view.world_to_clip,
+                      scene.vertex_bindings(MaterialUse::none), scene.indices(), batches);
         pass.depth->clear.reset();
     }
 
@@ -69,24 +86,30 @@ void draw_gbuffer(gpu::Recorder& recorder, const Capture& capture, const Capture
     if (peels)
         bindings.push_back(
             {"farther_than", request.farther_than ? request.farther_than : at_the_eye(recorder, capture)});
-    for (const SurfaceProgram& kind : surface_programs) {
-        std::vector<gpu::Batch> batches =
-            scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn, apart);
-        if (batches.empty() && kind.surfaces != Surfaces::plain) continue;
+    const auto draw_kind = [&](const SurfaceProgram& kind, const Part& part) {
+        const std::vector<gpu::Batch> batches =
+            scene.batches(frustum, kind.surfaces, MaterialUse::all, request.drawn, apart, part.facing);
+        if (batches.empty() && !pass.color[0].clear) return;
+        pass.cull = part.cull;
         if (peels)
             recorder.draw(kind.peeling, pass, peel_params(capture, request), bindings, scene.indices(),
                           batches);
         else
             recorder.draw(kind.program, pass, capture.view, bindings, scene.indices(), batches);
         load_targets(pass);
+    };
+    for (const SurfaceProgram& kind : surface_programs)
+        for (const Part& part : parts) draw_kind(kind, part);
+    for (const Part& part : parts) {
+        if (!apart) break;
+        const std::vector<gpu::Batch> reliefs =
+            scene.batches(frustum, Surfaces::displaced, MaterialUse::all, request.drawn, false, part.facing);
+        if (reliefs.empty()) continue;
+        pass.cull = part.cull;
+        recorder.draw(peels ? "frame/peel_displaced" : "frame/gbuffer_displaced", pass,
+                      shared::DisplacedParams{peel_params(capture, request), *capture.search}, bindings,
+                      scene.indices(), reliefs);
     }
-    if (!apart) return;
-    std::vector<gpu::Batch> reliefs =
-        scene.batches(frustum, Surfaces::displaced, MaterialUse::all, request.drawn);
-    if (reliefs.empty()) return;
-    recorder.draw(peels ? "frame/peel_displaced" : "frame/gbuffer_displaced", pass,
-                  shared::DisplacedParams{peel_params(capture, request), *capture.search}, bindings,
-                  scene.indices(), reliefs);
 }
 
 } // namespace luxel

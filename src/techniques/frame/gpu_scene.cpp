@@ -42,9 +42,15 @@ glm::mat3 normal_matrix(const glm::mat4& transform, float handedness) {
 shared::InstanceRecord instance_record(const Instance& instance) {
     shared::InstanceRecord r{};
     r.object_to_world = instance.transform;
-    r.handedness = glm::determinant(glm::mat3(instance.transform)) < 0.0f ? -1.0f : 1.0f;
+    r.handedness = handedness(instance.transform);
     r.normal_to_world = normal_matrix(instance.transform, r.handedness);
     return r;
+}
+
+Facing facing_of(const Scene& scene, const Instance& instance) {
+    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    if (!scene.materials[std::size_t(mesh.material)].looks_through_back()) return Facing::both;
+    return handedness(instance.transform) < 0.0f ? Facing::mirrored_front : Facing::front;
 }
 
 Bounds world_bounds(const Bounds& box, const glm::mat4& transform) {
@@ -178,7 +184,8 @@ void GpuScene::move_instances(gpu::Gpu& gpu) {
                                .first = place.first_index,
                                .vertex_offset = place.base_vertex,
                                .instance = std::uint32_t(records.size())},
-                      .material = mesh.material};
+                      .material = mesh.material,
+                      .facing = facing_of(*scene_, instance)};
         shared::InstanceRecord& r = records.emplace_back(instance_record(instance));
         r.uv0 = place.uv0, r.uv1 = place.uv1, r.tangent = place.tangent, r.color = place.color;
         if (mesh.indices.empty()) continue;
@@ -244,12 +251,13 @@ void GpuScene::upload_materials(gpu::Gpu& gpu, bool mipmaps) {
 }
 
 std::vector<gpu::Batch> GpuScene::batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
-                                          const std::vector<bool>& drawn, bool apart) const {
+                                          const std::vector<bool>& drawn, bool apart, Facing facing) const {
     std::vector<gpu::Batch> batches;
     int last_material = -1;
     for (const Object& object : objects_) {
         const MaterialOnGpu& material = materials_[std::size_t(object.material)];
         if (!material.is(surfaces, apart) || (!drawn.empty() && !drawn[object.draw.instance])) continue;
+        if (facing != Facing::any && object.facing != facing) continue;
         if (!touches(frustum, object.bounds)) continue;
         if (batches.empty() || (use != MaterialUse::none && object.material != last_material)) {
             gpu::Batch& batch = batches.emplace_back();

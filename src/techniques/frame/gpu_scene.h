@@ -15,6 +15,9 @@ enum class Surfaces { opaque, masked, plain, textured, full, displaced };
 // What a batch binds in descriptor set 1: nothing, what the alpha test reads, or the whole material (for one
 // of plain, textured, full, displaced); of displaced surfaces the height map, too.
 enum class MaterialUse { none, alpha, all };
+// By what a camera sees of an instance: whatever it is; with both sides; with its front alone, the transform
+// mirroring or not. See Material::looks_through_back.
+enum class Facing { any, both, front, mirrored_front };
 
 class GpuScene {
 public:
@@ -36,7 +39,8 @@ public:
     // MaterialUse::none). drawn: one entry for each of the scene's instances; empty = all. apart: those with
     // a height map are Surfaces::displaced and nothing else.
     std::vector<gpu::Batch> batches(const Frustum& frustum, Surfaces surfaces, MaterialUse use,
-                                    const std::vector<bool>& drawn = {}, bool apart = false) const;
+                                    const std::vector<bool>& drawn = {}, bool apart = false,
+                                    Facing facing = Facing::any) const;
 
     // Set 0 of the vertex shaders: "positions" and "instances" alone; with what the alpha test needs; all
     // attributes.
@@ -62,6 +66,7 @@ private:
         Bounds bounds;
         gpu::Draw draw;
         int material;
+        Facing facing; // not any
     };
     struct Place { // where a mesh's elements begin in the arrays of all meshes
         std::uint32_t first_index;

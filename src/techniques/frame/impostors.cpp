@@ -83,7 +83,8 @@ void Impostors::refresh_board(gpu::Recorder& recorder, const GpuScene& scene, co
         return;
     item.transforms = std::move(transforms);
     item.cards = {card_of(*toward, balanced_depth(bounds, *toward))};
-    CaptureRequest request{.view = *toward, .prefix = "impostor " + item.object.name + " "};
+    CaptureRequest request{
+        .view = *toward, .prefix = "impostor " + item.object.name + " ", .sides = Sides::seen};
     request.drawn.assign(scene_->instances.size(), false);
     for (int i : item.object.instances) request.drawn[std::size_t(i)] = true;
     item.samples = capture_surfaces(recorder, scene, request, search);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/frame/projection.h"
 
+#include <algorithm>
+
 namespace luxel {
 namespace {
 
@@ -45,10 +47,17 @@ shared::ViewParams parallel_view_params(const Axes& axes, float far, glm::vec2 s
     return v;
 }
 
-shared::ViewParams view_params(const Camera& camera, int width, int height) {
-    CameraBasis b = camera_basis(camera, width, height);
-    return view_params({b.position, b.forward, b.right, b.up}, camera.near, camera.far,
-                       {float(width), float(height)});
+shared::ViewParams view_params(const Camera& camera, int width, int height, const Bounds& scene) {
+    const CameraBasis b = camera_basis(camera, width, height);
+    const glm::vec2 size(width, height);
+    if (!camera.orthographic())
+        return view_params({b.position, b.forward, b.right, b.up}, camera.near, camera.far, size);
+
+    // The corner of the scene that is farthest along the view, and a little more, is far enough.
+    const glm::vec3 corner = glm::mix(scene.least, scene.most, glm::greaterThan(b.forward, glm::vec3(0.0f)));
+    const float behind = scene.empty() ? 1.0f : glm::dot(corner - b.position, b.forward);
+    const float far = std::min(camera.far - camera.near, std::max(1.001f * (behind - camera.near), 1e-6f));
+    return parallel_view_params({b.position + b.forward * camera.near, b.forward, b.right, b.up}, far, size);
 }
 
 } // namespace luxel

@@ -21,6 +21,7 @@ glm::mat4 orthographic_to_clip(const Axes& axes, float nearest, float farthest);
 shared::ViewParams view_params(const Axes& axes, float near, float far, glm::vec2 size);
 // Orthographic: axes scaled by the half extents; sees 0 to `far` along forward.
 shared::ViewParams parallel_view_params(const Axes& axes, float far, glm::vec2 size);
-shared::ViewParams view_params(const Camera& camera, int width, int height);
+// Orthographic cameras' views begin at their near plane and, so that depth is precise, end behind `scene`.
+shared::ViewParams view_params(const Camera& camera, int width, int height, const Bounds& scene = {});
 
 } // namespace luxel

@@ -86,6 +86,19 @@ std::vector<Technique*> by_slot(std::vector<Technique*> techniques) {
     return techniques;
 }
 
+// What is made for rays that meet in one eye refuses parallel ones.
+void check_projection(const Camera& camera, const std::vector<Technique*>& techniques, bool impostors) {
+    if (!camera.orthographic()) return;
+    if (impostors)
+        fail(Fault::usage, "camera \"{}\" is orthographic, which impostors cannot be drawn for", camera.name);
+    for (const Technique* t : techniques)
+        if (!t->takes_parallel_views())
+            fail(Fault::usage,
+                 "camera \"{}\" is orthographic, which the technique for the slot \"{}\" cannot take; use a "
+                 "perspective camera",
+                 camera.name, slot_name(t->slot()));
+}
+
 // Times of passes with the same name together, in the order of their first use.
 std::vector<gpu::PassTime> sum_by_name(const std::vector<gpu::PassTime>& passes) {
     std::vector<gpu::PassTime> sums;
@@ -149,8 +162,9 @@ Renderer::Data::Seen Renderer::Data::make_frame(gpu::Recorder& recorder, const R
 
     // What the camera sees. Impostors are in this view alone, and nothing is behind them.
     const int samples = options.supersample;
-    CaptureRequest seen{.view =
-                            view_params(request.camera, request.width * samples, request.height * samples)};
+    CaptureRequest seen{.view = view_params(request.camera, request.width * samples, request.height * samples,
+                                            on_gpu.bounds()),
+                        .sides = Sides::seen};
     if (!impostors.empty()) seen.drawn = impostors.refresh(recorder, on_gpu, seen.view, search);
     static_cast<Capture&>(f) = capture_surfaces(recorder, on_gpu, seen, search);
     if (!impostors.empty()) impostors.draw(recorder, f);
@@ -292,6 +306,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
              request.height, most, samples > 1 ? fmt::format(" with supersample={}", samples) : "");
     Data& d = *data_;
     std::vector<Technique*> techniques = by_slot(request.techniques);
+    check_projection(request.camera, techniques, !d.impostors.empty());
     for (Technique* t : techniques) {
         if (t->prepared_by.lock() == d.identity) continue;
         t->prepare(d.gpu, d.scene);

@@ -117,7 +117,8 @@ void add_visible(Recorder& recorder, const Frame& frame, const IsrParams& p, Isr
     recorder.dispatch("isr/downsample.comp", extent_of(to.receiver), patch_params(p), bindings);
 
     if (p.origin == glm::ivec2(0)) return;
-    Capture wide = frame.capture(recorder, {.view = isr_wide_view(p), .prefix = "isr border "});
+    Capture wide =
+        frame.capture(recorder, {.view = isr_wide_view(p), .prefix = "isr border ", .sides = Sides::seen});
     IsrPatchParams ring = patch_params(p);
     ring.hole = p.origin, ring.hole_size = {int(p.width), int(p.height)};
     add_capture(recorder, wide, wide.gbuffer.depth, ring, to.visible);

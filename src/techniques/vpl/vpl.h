@@ -36,6 +36,7 @@ struct VplSenders {
 class VplTechnique final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
+    bool takes_parallel_views() const override { return true; }
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
