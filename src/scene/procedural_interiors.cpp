@@ -88,8 +88,10 @@ Scene classroom() {
     add_shell(scene, width, height, length, thickness);
     add_window_wall(scene, -thickness, thickness, length, height);
     add_slab(scene, "blackboard", {0.03f, 0.06f, 0.04f}, {1.5f, 1.0f, 0.0f}, {4.5f, 2.2f, 0.03f});
-    Mesh& desks = add_object(scene, lambertian("desks", {0.6f, 0.45f, 0.25f}));
+    // Two meshes, filled after both are in the scene's list, which moves them as it grows.
+    add_object(scene, lambertian("desks", {0.6f, 0.45f, 0.25f}));
     Mesh& chairs = add_object(scene, lambertian("chairs", {0.15f, 0.25f, 0.45f}));
+    Mesh& desks = scene.meshes[scene.meshes.size() - 2];
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 3; ++column) {
             const vec3 at(0.6f + 1.8f * float(column), 0, 1.6f + 1.4f * float(row));
