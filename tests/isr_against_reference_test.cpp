@@ -93,7 +93,7 @@ void add_light(Scene& scene, glm::vec3 position, glm::vec3 direction, float half
     shared::Light light{};
     light.type = shared::LIGHT_SPOT, light.position = position, light.direction = direction;
     light.intensity = glm::vec3(10);
-    light.cos_outer = std::cos(half_angle), light.cos_inner = std::cos(half_angle * 0.9f);
+    light.outer = shared::versine(half_angle), light.inner = shared::versine(half_angle * 0.9f);
     scene.lights.push_back(light);
 }
 

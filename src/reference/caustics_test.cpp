@@ -32,8 +32,8 @@ shared::Light light_of(shared::uint type, glm::vec3 position, glm::vec3 directio
     l.position = position;
     l.direction = glm::normalize(direction);
     l.intensity = glm::vec3(intensity);
-    l.cos_inner = std::cos(0.5f);
-    l.cos_outer = std::cos(0.8f);
+    l.inner = shared::versine(0.5f);
+    l.outer = shared::versine(0.8f);
     return l;
 }
 

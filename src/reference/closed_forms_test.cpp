@@ -44,8 +44,8 @@ shared::Light light_of(shared::uint type, glm::vec3 position, glm::vec3 directio
     l.position = position;
     l.direction = glm::normalize(direction);
     l.intensity = glm::vec3(5, 3, 1);
-    l.cos_inner = std::cos(0.3f);
-    l.cos_outer = std::cos(0.6f);
+    l.inner = shared::versine(0.3f);
+    l.outer = shared::versine(0.6f);
     return l;
 }
 

@@ -58,7 +58,7 @@ void add(ContentKey& key, const Texture& t) {
 void add(ContentKey& key, const shared::Light& l) {
     add(key, l.position), add(key, l.direction), add(key, l.intensity);
     key.add(l.type);
-    for (float value : {l.range, l.cos_inner, l.cos_outer}) key.add(value);
+    for (float value : {l.range, l.inner, l.outer, l.extent}) key.add(value);
 }
 
 } // namespace

@@ -118,8 +118,8 @@ shared::Light spot_light(glm::vec3 position, glm::vec3 target, float intensity, 
     shared::Light light = point_light(position, intensity);
     light.type = shared::LIGHT_SPOT;
     light.direction = glm::normalize(target - position);
-    light.cos_inner = std::cos(radians(inner_degrees));
-    light.cos_outer = std::cos(radians(outer_degrees));
+    light.inner = shared::versine(radians(inner_degrees));
+    light.outer = shared::versine(radians(outer_degrees));
     return light;
 }
 

@@ -101,7 +101,7 @@ Scene shapes(ShapesLight light) {
         break;
     case ShapesLight::spot:
         scene.name = "shapes-spot", lamp.type = shared::LIGHT_SPOT, lamp.intensity = glm::vec3(50.0f);
-        lamp.cos_inner = std::cos(radians(15.0f)), lamp.cos_outer = std::cos(radians(35.0f));
+        lamp.inner = shared::versine(radians(15.0f)), lamp.outer = shared::versine(radians(35.0f));
         break;
     case ShapesLight::directional:
         scene.name = "shapes-directional", lamp.type = shared::LIGHT_DIRECTIONAL;

@@ -188,7 +188,7 @@ PlacedLight read_light(Section& section) {
         const float outer = section.number("outer_degrees", 0.1, 90).value_or(45.0f);
         const float inner = section.number("inner_degrees", 0, 90).value_or(0.0f);
         if (inner > outer) section.reject("inner_degrees", "\"inner_degrees\" is above \"outer_degrees\"");
-        light.cos_inner = std::cos(radians(inner)), light.cos_outer = std::cos(radians(outer));
+        light.inner = shared::versine(radians(inner)), light.outer = shared::versine(radians(outer));
     }
     section.finish();
     return read;

@@ -100,7 +100,7 @@ TEST_F(SceneFile, TheDocumentedExampleLoads) {
     EXPECT_EQ(scene.lights[0].type, shared::LIGHT_POINT);
     EXPECT_EQ(scene.lights[0].range, 20.0f);
     EXPECT_EQ(scene.lights[1].intensity, glm::vec3(12.0f));
-    EXPECT_NEAR(scene.lights[1].cos_outer, std::cos(shared::PI / 6), 1e-6f);
+    EXPECT_NEAR(scene.lights[1].outer, 1.0f - std::cos(shared::PI / 6), 1e-6f);
     EXPECT_LT(glm::length(scene.lights[1].direction - glm::normalize(glm::vec3(-0.8f, -1.9f, -0.8f))), 1e-6f);
     EXPECT_EQ(scene.lights[2].type, shared::LIGHT_DIRECTIONAL);
 

@@ -156,7 +156,7 @@ private:
         require(within(l.intensity, 0, largest), "its intensity is negative or not finite");
         require(within(l.range, 0, largest), "its range is negative or not finite");
         require(l.type != shared::LIGHT_SPOT ||
-                    (within(l.cos_inner, -1, 1) && within(l.cos_outer, -1, l.cos_inner)),
+                    (within(l.outer, 0, 2) && within(l.inner, 0, l.outer)),
                 "its cone angles are out of order");
     }
 

@@ -30,8 +30,8 @@ Scene complete_scene() {
     light = {};
     light.type = shared::LIGHT_SPOT;
     light.direction = {0, 0, -1};
-    light.cos_inner = 0.9f;
-    light.cos_outer = 0.8f;
+    light.inner = 0.1f;
+    light.outer = 0.2f;
     scene.cameras.emplace_back();
     scene.environment.radiance = Image(2, 1, 3, 1.0f);
     return scene;
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Damage{"texture 0: its size", [](Scene& s) { s.textures[0].pixels.width = 0; }},
                       Damage{"light 0: its intensity", [](Scene& s) { s.lights[0].intensity.r = -1; }},
                       Damage{"light 0: its direction", [](Scene& s) { s.lights[0].direction = {0, 0, 0}; }},
-                      Damage{"cone angles", [](Scene& s) { s.lights[0].cos_outer = 0.95f; }},
+                      Damage{"cone angles", [](Scene& s) { s.lights[0].outer = 0.05f; }},
                       Damage{"camera 0: its field of view", [](Scene& s) { s.cameras[0].yfov = 4; }},
                       Damage{"along its up", [](Scene& s) { s.cameras[0].up = s.cameras[0].forward; }},
                       Damage{"near and far", [](Scene& s) { s.cameras[0].near = 0; }},

@@ -16,8 +16,10 @@ struct Light {
     vec3 direction;   // world, unit: the way light travels; a cosine light's normal
     float range;      // meters, glTF cut-off; 0 = none
     vec3 intensity;   // radiant, see LIGHT_*
-    float cos_inner;  // spot
-    float cos_outer;  // spot
+    float inner;      // spot: versine of the half angle within which the intensity is full
+    float outer;      // spot: versine of the half angle where it ends
+    float extent;     // what a sample of a larger source stands for: m2 of a cosine light's surface, sr of a
+                      // directional one's sky; 0 = a point of its own
 };
 
 struct LightSample {
@@ -25,6 +27,27 @@ struct LightSample {
     float distance;   // meters; a large number for directional
     vec3 irradiance;  // W/m2 on a plane facing the light at the receiver, before visibility and the cosine
 };
+
+// 1 - cos, which keeps all its digits where the angle is small: cosines of half a degree and of nothing differ
+// by a few hundred roundings only.
+LUXEL_FN float versine(float angle) {
+    float s = sin(0.5f * angle);
+    return 2.0f * s * s;
+}
+// The same of the angle between two unit vectors.
+LUXEL_FN float versine(vec3 a, vec3 b) {
+    vec3 d = a - b;
+    return 0.5f * dot(d, d);
+}
+LUXEL_FN float versine_tangent(float v) { return sqrt(v * (2.0f - v)) / max(1.0f - v, 1e-4f); }
+LUXEL_FN float versine_angle(float v) { return 2.0f * asin(sqrt(clamp(0.5f * v, 0.0f, 1.0f))); }
+
+// Share of a spot light's intensity in a direction with this versine to its axis [KHR_lights_punctual]. Cones
+// whose angles are equal have an edge of a hundred thousandth of their width.
+LUXEL_FN float spot_falloff(float inner, float outer, float v) {
+    float t = clamp((outer - v) / max(outer - inner, max(1e-5f * outer, 1e-30f)), 0.0f, 1.0f);
+    return t * t;
+}
 
 // glTF KHR_lights_punctual: smooth window that reaches zero at `range`.
 LUXEL_FN float range_window(float distance, float range) {
@@ -47,12 +70,10 @@ LUXEL_FN LightSample sample_light(Light light, vec3 position) {
     s.distance = sqrt(r2);
     s.wi = d / s.distance;
     s.irradiance = light.intensity * (range_window(s.distance, light.range) / r2);
-    float c = -dot(light.direction, s.wi);
-    if (light.type == LIGHT_SPOT) {
-        float t = clamp((c - light.cos_outer) / max(light.cos_inner - light.cos_outer, 1e-4f), 0.0f, 1.0f);
-        s.irradiance = s.irradiance * (t * t);
-    }
-    if (light.type == LIGHT_COSINE) s.irradiance = s.irradiance * max(c, 0.0f);
+    if (light.type == LIGHT_SPOT)
+        s.irradiance =
+            s.irradiance * spot_falloff(light.inner, light.outer, versine(-light.direction, s.wi));
+    if (light.type == LIGHT_COSINE) s.irradiance = s.irradiance * max(-dot(light.direction, s.wi), 0.0f);
     return s;
 }
 

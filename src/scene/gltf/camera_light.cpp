@@ -95,8 +95,8 @@ shared::Light read_light(Document& document, const Value& node, const glm::dmat4
         if (!(inner >= 0.0f && inner <= outer && outer <= std::numbers::pi_v<float> / 2.0f + 1e-5f))
             json.fail("its cone angles are not 0 <= inner <= outer <= pi/2");
         light.type = shared::LIGHT_SPOT;
-        light.cos_inner = std::cos(inner);
-        light.cos_outer = std::cos(outer);
+        light.inner = shared::versine(inner);
+        light.outer = shared::versine(outer);
     } else {
         json["type"].fail("\"{}\" is not a light type", printable(type));
     }

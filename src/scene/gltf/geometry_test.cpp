@@ -286,8 +286,8 @@ TEST(Gltf, ReadsPunctualLights) {
     EXPECT_EQ(lights[0].type, shared::LIGHT_SPOT);
     EXPECT_EQ(lights[0].intensity, glm::vec3(20, 10, 0));
     EXPECT_EQ(lights[0].range, 4.0f);
-    EXPECT_FLOAT_EQ(lights[0].cos_inner, std::cos(0.2f));
-    EXPECT_FLOAT_EQ(lights[0].cos_outer, std::cos(0.6f));
+    EXPECT_FLOAT_EQ(lights[0].inner, shared::versine(0.2f));
+    EXPECT_FLOAT_EQ(lights[0].outer, shared::versine(0.6f));
     expect_near(lights[0].direction, {0, -1, 0});
     expect_near(lights[0].position, {1, 2, 3});
     EXPECT_EQ(lights[1].type, shared::LIGHT_DIRECTIONAL);

@@ -28,9 +28,7 @@ std::string spot(const shared::Light& light, const std::string& cone) {
 }
 
 void add_light(Export& out, const shared::Light& light, const Bounds& bounds, float fade_distance) {
-    const auto degrees = [](float cosine) {
-        return std::acos(std::clamp(cosine, -1.0f, 1.0f)) * (180.0f / shared::PI);
-    };
+    const auto degrees = [](float versine) { return shared::versine_angle(versine) * (180.0f / shared::PI); };
     switch (light.type) {
     case shared::LIGHT_POINT:
         return add_punctual(out, light, fade_distance, "");
@@ -38,8 +36,8 @@ void add_light(Export& out, const shared::Light& light, const Bounds& bounds, fl
         out.note("the soft rim of spot lights: a cubic of the cosine instead of a square");
         return add_punctual(
             out, light, fade_distance,
-            spot(light, fmt::format("radius {:.7g} falloff {:.7g} tightness 0", degrees(light.cos_inner),
-                                    std::max(degrees(light.cos_outer), degrees(light.cos_inner) + 0.01f))));
+            spot(light, fmt::format("radius {:.7g} falloff {:.7g} tightness 0", degrees(light.inner),
+                                    std::max(degrees(light.outer), degrees(light.inner) + 0.01f))));
     case shared::LIGHT_COSINE:
         // No rim within the hemisphere, and the first power of the cosine to the normal.
         return add_punctual(out, light, fade_distance, spot(light, "radius 90 falloff 90 tightness 1"));

@@ -99,15 +99,15 @@ TEST_F(RsmTest, CosineLightSendsPiI) {
     expect_flux(total(room(l), {.size = 256}), shared::PI * l.intensity, 1e-3f);
 }
 
-// With t = (cos - cos_outer) / (cos_inner - cos_outer), the integral of t^2 over the rim is a third of its
-// width: flux = 2 pi I (1 - cos_inner + (cos_inner - cos_outer) / 3).
+// The integral of the squared fall-off over the rim's versines is a third of their range: flux = 2 pi I (inner +
+// (outer - inner) / 3).
 TEST_F(RsmTest, SpotSendsTheFluxOfItsCone) {
-    for (float outer : {0.9f, 0.2f}) { // one view, five faces
+    for (float outer : {0.8f, 0.1f, shared::versine(0.5f * shared::PI / 180.0f)}) { // five faces, one view
         shared::Light l = light_of(shared::LIGHT_SPOT);
-        l.cos_outer = outer, l.cos_inner = outer + 0.08f;
-        const float cone = 2.0f * shared::PI * (1.0f - l.cos_inner + 0.08f / 3.0f);
+        l.outer = outer, l.inner = outer > 0.01f ? outer - 0.08f : 0.0f;
+        const float cone = 2.0f * shared::PI * (l.inner + (l.outer - l.inner) / 3.0f);
         expect_flux(total(room(l), {.size = 256}), cone * l.intensity, 2e-3f);
-        EXPECT_EQ(views_of(room(l), {.size = 64}).size(), outer > 0.5f ? 1u : 5u);
+        EXPECT_EQ(views_of(room(l), {.size = 64}).size(), outer < 0.5f ? 1u : 5u);
     }
 }
 

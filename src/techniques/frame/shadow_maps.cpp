@@ -26,8 +26,7 @@ constexpr float near_by_far = 1.0f / 2048.0f;
 constexpr float widest_tangent = 1.7320508f;
 
 float outer_tangent(const shared::Light& light) {
-    float c = std::max(light.cos_outer, 1e-4f);
-    return std::sqrt(std::max(1.0f - c * c, 1e-8f)) / c;
+    return std::max(shared::versine_tangent(light.outer), 1e-6f);
 }
 
 // Columns; z = the light's direction.

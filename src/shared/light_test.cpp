@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Cones of any width by closed form.
+#include "shared/light.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace luxel::shared {
+namespace {
+
+constexpr double to_radians = 3.14159265358979323846 / 180.0;
+
+Light spot(float inner_degrees, float outer_degrees) {
+    Light l{};
+    l.type = LIGHT_SPOT, l.position = {0.3f, 2.0f, -0.7f};
+    l.direction = normalize(vec3(0.4f, -1.0f, 0.2f));
+    l.intensity = vec3(4.0f);
+    l.inner = versine(float(inner_degrees * to_radians)), l.outer = versine(float(outer_degrees * to_radians));
+    return l;
+}
+
+// At the angle a off the axis: 4 / r^2 times ((cos a - cos outer) / (cos inner - cos outer))^2, in double.
+TEST(SpotLight, ConesOfAnyWidthFallOffAsTheirCosinesDo) {
+    for (double outer : {60.0, 5.0, 0.5, 0.05})
+        for (double inner : {0.0, 0.6 * outer})
+            for (double share : {0.0, 0.3, 0.7, 0.9, 1.1}) {
+                const Light l = spot(float(inner), float(outer));
+                const double angle = share * outer * to_radians, a = std::cos(angle),
+                             i = std::cos(inner * to_radians), o = std::cos(outer * to_radians);
+                const double t = std::min(std::max((a - o) / (i - o), 0.0), 1.0);
+                const vec3 aside = normalize(cross(l.direction, vec3(0.0f, 0.0f, 1.0f)));
+                const vec3 to = l.direction * float(std::cos(angle)) + aside * float(std::sin(angle));
+                const LightSample s = sample_light(l, l.position + 3.0f * to);
+                EXPECT_NEAR(s.irradiance.g, 4.0 / 9.0 * t * t, 2e-3 * (outer < 0.1 ? 1.0 : 0.1))
+                    << outer << " " << inner << " " << share;
+            }
+}
+
+TEST(SpotLight, EqualAnglesMakeAHardEdge) {
+    const Light l = spot(0.5f, 0.5f);
+    EXPECT_EQ(spot_falloff(l.inner, l.outer, 0.99f * l.outer), 1.0f);
+    EXPECT_EQ(spot_falloff(l.inner, l.outer, 1.01f * l.outer), 0.0f);
+    EXPECT_EQ(spot_falloff(0.0f, 0.0f, 0.1f), 0.0f) << "a cone without width";
+}
+
+TEST(SpotLight, VersinesKnowTheirAngles) {
+    for (float angle : {0.001f, 0.1f, 1.2f}) {
+        EXPECT_NEAR(versine_tangent(versine(angle)) / std::tan(angle), 1.0f, 1e-5f);
+        EXPECT_NEAR(versine_angle(versine(angle)) / angle, 1.0f, 1e-5f);
+    }
+}
+
+} // namespace
+} // namespace luxel::shared
