@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "scene/emission_map.h"
 #include "scene/emission_mean.h"
 #include "scene/surface.h"
 #include "shared/random.h"
@@ -59,22 +60,43 @@ glm::vec2 square_to_triangle(glm::vec2 u) {
     return u;
 }
 
+// Where a light stands, and its color: points by brightness, whose colors have the mean of the triangle when
+// all are equally bright. Points that a mask cuts out are drawn again.
+struct Sampled {
+    glm::vec2 uv;
+    glm::vec3 color;
+};
+Sampled sample_of(const Scene& scene, const EmissiveTriangle& e, const EmissionMap& map, glm::vec2 u) {
+    constexpr int most_draws = 64;
+    const std::uint32_t instance = std::uint32_t(e.instance);
+    for (int i = 0; i < most_draws; ++i) {
+        const glm::vec2 uv = map.varies() ? map.draw(u).uv : square_to_triangle(u);
+        const glm::vec3 color = map.varies() ? emission_at(scene, instance, e.triangle, uv) : e.emission;
+        if (luminance(color) > 0.0f && !is_transparent(scene, instance, e.triangle, uv)) return {uv, color};
+        u = glm::fract(u + glm::vec2(0.7548776662f, 0.5698402910f)); // the next of a low-discrepancy sequence
+    }
+    return {square_to_triangle(u), e.emission};
+}
+
 float side_power(const EmissiveTriangle& e) { return luminance(e.emission) * e.area; }
 
 // The samples of one side of one triangle: a low-discrepancy set of their own, shifted by the seed.
-void append_side(const EmissiveTriangle& e, float side, int count, float intensity_scale, float lift,
-                 std::uint32_t seed, std::vector<Light>& lights) {
+void append_side(const Scene& scene, const EmissiveTriangle& e, float side, int count, float luminance_each,
+                 float lift, std::uint32_t seed, std::vector<Light>& lights) {
+    if (count == 0) return;
+    const EmissionMap map(scene, std::uint32_t(e.instance), e.triangle);
     const glm::vec2 shift(
         shared::uniform_float(shared::hash3(seed, e.triangle, std::uint32_t(e.instance) * 2u)),
         shared::uniform_float(shared::hash3(seed, e.triangle, std::uint32_t(e.instance) * 2u + 1u)));
     for (int i = 0; i < count; ++i) {
         const glm::vec2 u = glm::fract(shared::hammersley(std::uint32_t(i), std::uint32_t(count)) + shift);
-        const glm::vec2 b = square_to_triangle(u);
+        const Sampled s = sample_of(scene, e, map, u);
         Light light{};
         light.type = shared::LIGHT_COSINE;
         light.direction = e.normal * side;
-        light.position = e.a + (e.b - e.a) * b.x + (e.c - e.a) * b.y + light.direction * lift;
-        light.intensity = e.emission * intensity_scale;
+        light.position = e.a + (e.b - e.a) * s.uv.x + (e.c - e.a) * s.uv.y + light.direction * lift;
+        light.intensity = s.color * (luminance_each / luminance(s.color));
+        light.extent = e.area / float(count);
         lights.push_back(light);
     }
 }
@@ -107,13 +129,13 @@ std::vector<Light> emitter_sample_lights(const Scene& scene, int count, std::uin
     };
     for (std::size_t i = 0; i < emitters.size(); ++i) {
         const EmissiveTriangle& e = emitters[i];
-        const float scale = float(total / count) / luminance(e.emission);
+        const float each = float(total / count);
         for (const float side : {1.0f, -1.0f}) {
             if (side < 0.0f && !e.two_sided) continue;
             const bool last = i + 1 == emitters.size() && (side < 0.0f || !e.two_sided);
             const double above = below + double(side_power(e));
             const int first = samples_below(below), end = last ? count : samples_below(above);
-            append_side(e, side, end - first, scale, lift, seed, lights);
+            append_side(scene, e, side, end - first, each, lift, seed, lights);
             below = above;
         }
     }

@@ -24,15 +24,17 @@ std::vector<shared::Light> environment_sample_lights(const Environment& environm
         shared::Light light{};
         light.type = shared::LIGHT_DIRECTIONAL;
         light.direction = -s.direction;
-        light.intensity = s.radiance / (s.pdf * float(count));
+        light.extent = 1.0f / (s.pdf * float(count));
+        light.intensity = s.radiance * light.extent;
         lights.push_back(light);
     }
     return lights;
 }
 
 Scene with_environment_as_lights(Scene scene, int count, std::uint32_t seed) {
-    const std::vector<shared::Light> lights = environment_sample_lights(scene.environment, count, seed);
-    scene.lights.insert(scene.lights.end(), lights.begin(), lights.end());
+    // As lights of the scene they are as sharp as any other.
+    for (shared::Light light : environment_sample_lights(scene.environment, count, seed))
+        light.extent = 0.0f, scene.lights.push_back(light);
     scene.environment = {};
     return scene;
 }
