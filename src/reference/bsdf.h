@@ -24,6 +24,10 @@ struct ShadingPoint {
         return diffuse_chance > 0.0f || (specular_chance > 0.0f && !mirror) ||
                (glass_chance > 0.0f && rough_glass) || coat_chance > 0.0f;
     }
+    // Of the side that smooth lobes take light from; zero: from both.
+    glm::vec3 receiving_normal() const {
+        return glass_chance > 0.0f && rough_glass ? glm::vec3(0.0f) : normal;
+    }
     // Origin of a ray that leaves on the side of `direction`.
     glm::vec3 origin(glm::vec3 direction) const;
 };
@@ -54,6 +58,7 @@ struct BsdfSample {
     glm::vec3 diffuse{0.0f}; // the Lambertian lobe's share of it
     float pdf = 0.0f;        // of a smooth lobe, 1/sr
     bool ideal = false;      // mirror or glass: no density
+    bool straight = false;   // through a thin sheet without a bend: light of the same straight line
 };
 // flux: of light that comes from wo and leaves along wi, as photons carry it. Radiance is compressed in a
 // denser medium, flux is not; and where the shading normal is not the geometric one, what a path tracer takes

@@ -90,6 +90,7 @@ BsdfSample sample_smooth_glass(const ShadingPoint& p, float u) {
         sample.weight = reflected * (share / chance);
         return sample;
     }
+    sample.straight = glass.thin;
     sample.wi = glass.thin ? -p.wo : glm::refract(-p.wo, p.normal, 1.0f / glass.eta);
     sample.wi = shared::above_horizon(sample.wi, -p.geometric_normal);
     sample.weight = p.surface->base_color * (glm::vec3(1.0f) - reflected) *

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/coverage.h"
 
-#include <algorithm>
-
 #include "reference/bsdf.h"
 
 namespace luxel {
@@ -23,26 +21,6 @@ bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random
         passed += hit.t;
     }
     return false;
-}
-
-bool has_blended(const Scene& scene) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const Material& m) { return m.alpha_mode == AlphaMode::blend; });
-}
-
-float uncovered(const RayCaster& rays, const Ray& ray) {
-    float share = 1.0f;
-    Ray rest = ray;
-    Hit hit;
-    while (share > 0.0f && rays.intersect(rest, hit)) {
-        const Scene& scene = rays.scene();
-        const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
-        if (scene.materials[std::size_t(mesh.material)].alpha_mode == AlphaMode::blend)
-            share *= 1.0f - coverage_at(scene, hit.instance, hit.triangle, {hit.u, hit.v});
-        go_behind(rest, hit, surface_at(scene, hit, ray.direction));
-        if (rest.t_max <= 0.0f) break;
-    }
-    return share;
 }
 
 } // namespace luxel

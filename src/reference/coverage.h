@@ -16,10 +16,4 @@ void go_behind(Ray& ray, const Hit& hit, const Surface& surface);
 bool intersect_covered(const RayCaster& rays, Ray& ray, Hit& hit, Random& random, float& passed,
                        bool by_camera = false);
 
-// Whether the scene has any that are blended.
-bool has_blended(const Scene& scene);
-
-// Share of the light that gets along the ray past them; RayCaster::occluded knows of all others.
-float uncovered(const RayCaster& rays, const Ray& ray);
-
 } // namespace luxel

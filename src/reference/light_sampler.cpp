@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/spherical_triangle.h"
+
 namespace luxel {
 
 std::size_t find_in(const std::vector<float>& cumulative, float u) {
@@ -21,72 +23,99 @@ Ray shadow_ray(const ShadingPoint& point, const LightArrival& light) {
     return ray;
 }
 
+namespace {
+
+// Where triangles take up more of the sphere than this, points are drawn by solid angle: uniform points of a
+// large near triangle differ by far in what they send, while small ones are not worth the trigonometry.
+constexpr float least_solid_angle = 0.01f;
+
+EmitterBounds bounds_of(const EmissiveTriangle& t) {
+    EmitterBounds b{{}, t.normal, 1.0f, luminance(t.emission) * t.area, t.two_sided};
+    b.box.add(t.a), b.box.add(t.b), b.box.add(t.c);
+    return b;
+}
+
+// 1/m2 to 1/sr.
+float by_angle(float area_pdf, glm::vec3 normal, glm::vec3 d) {
+    const float r2 = glm::dot(d, d), facing = std::abs(glm::dot(normal, d));
+    return facing > 0.0f ? area_pdf * r2 * std::sqrt(r2) / facing : 0.0f;
+}
+
+} // namespace
+
 LightSampler::LightSampler(const Scene& scene)
-    : scene_(&scene), environment_(scene.environment), pdf_(scene.instances.size()) {
-    // Power of each, summed in double: there may be millions. Black triangles would only waste samples.
-    std::vector<double> power;
-    double total = 0.0;
+    : scene_(&scene), environment_(scene.environment), emitter_of_(scene.instances.size()) {
+    std::vector<EmitterBounds> bounds;
     for (const EmissiveTriangle& t : emissive_triangles(scene)) {
-        double p = double(luminance(t.emission)) * double(t.area) * (t.two_sided ? 2.0 : 1.0);
-        if (!(p > 0.0)) continue;
+        const EmitterBounds b = bounds_of(t);
+        if (!(b.power > 0.0f)) continue;
         const Mesh& mesh = scene.meshes[std::size_t(scene.instances[std::size_t(t.instance)].mesh)];
         const Material& material = scene.materials[std::size_t(mesh.material)];
-        const bool textured =
-            material.emission_texture.texture >= 0 || material.alpha_mode == AlphaMode::blend;
-        glm::vec3 largest = glm::max(glm::max(glm::abs(t.a), glm::abs(t.b)), glm::abs(t.c));
-        emitters_.push_back(
-            {t, 0.0f, clearance(std::max(std::max(largest.x, largest.y), largest.z)), textured});
-        power.push_back(p);
-        total += p;
-    }
-    double sum = 0.0;
-    for (std::size_t i = 0; i < emitters_.size(); ++i) {
-        const EmissiveTriangle& t = emitters_[i].triangle;
-        sum += power[i];
-        cumulative_.push_back(float(sum / total));
-        float before = i > 0 ? cumulative_[i - 1] : 0.0f;
-        emitters_[i].area_pdf = (cumulative_[i] - before) / t.area; // of the rounded table that is sampled
-
-        std::vector<float>& of_instance = pdf_[std::size_t(t.instance)];
-        if (of_instance.empty()) {
-            const Instance& instance = scene.instances[std::size_t(t.instance)];
-            of_instance.resize(scene.meshes[std::size_t(instance.mesh)].indices.size() / 3);
+        const glm::vec3 largest = glm::max(glm::max(glm::abs(t.a), glm::abs(t.b)), glm::abs(t.c));
+        Emitter e{t, clearance(std::max(std::max(largest.x, largest.y), largest.z)), -1,
+                  material.emission_texture.texture >= 0 || material.alpha_mode != AlphaMode::opaque};
+        if (material.emission_texture.texture >= 0) {
+            EmissionMap map(scene, std::uint32_t(t.instance), t.triangle);
+            if (map.varies()) e.map = int(maps_.size()), maps_.push_back(std::move(map));
         }
-        of_instance[t.triangle] = emitters_[i].area_pdf;
+        emitters_.push_back(e), bounds.push_back(b);
+        std::vector<std::uint32_t>& of_instance = emitter_of_[std::size_t(t.instance)];
+        if (of_instance.empty()) of_instance.resize(mesh.indices.size() / 3);
+        of_instance[t.triangle] = std::uint32_t(emitters_.size());
     }
-    for (std::size_t i = 0; i < emitters_.size(); ++i)
-        guide_.push_back(std::uint32_t(find_in(cumulative_, float(i) / float(emitters_.size()))));
+    tree_ = LightTree(bounds);
 }
 
-std::size_t LightSampler::choose_emitter(float u) const {
-    // Start where the guide says and step to the emitter whose share holds u: one or two steps on average.
-    std::size_t i = guide_[std::min(std::size_t(u * float(guide_.size())), guide_.size() - 1)];
-    while (i + 1 < cumulative_.size() && cumulative_[i] <= u) ++i;
-    while (i > 0 && cumulative_[i - 1] > u) --i;
-    const char* lines = reinterpret_cast<const char*>(&emitters_[i]);
-    __builtin_prefetch(lines), __builtin_prefetch(lines + sizeof(Emitter) - 1);
-    return i;
-}
-
-LightArrival LightSampler::sample_emitter(std::size_t emitter, glm::vec3 from, glm::vec2 u) const {
-    const Emitter& e = emitters_[emitter];
+LightSampler::Place LightSampler::draw(const Emitter& e, glm::vec3 from, glm::vec2 v) const {
     const EmissiveTriangle& t = e.triangle;
-    LightArrival arrival{{}, {}, false, glm::vec3(0.0f), 0.0f};
-
+    if (e.map >= 0) {
+        const EmissionMap::Drawn drawn = maps_[std::size_t(e.map)].draw(v);
+        const glm::vec3 d = t.a + (t.b - t.a) * drawn.uv.x + (t.c - t.a) * drawn.uv.y - from;
+        return {drawn.uv, by_angle(drawn.density / t.area, t.normal, d)};
+    }
+    const SphericalTriangle seen(from, t.a, t.b, t.c);
+    if (seen.solid_angle > least_solid_angle) {
+        // Where the direction meets the triangle's plane.
+        const glm::vec3 w = seen.sample(v), e1 = t.b - t.a, e2 = t.c - t.a, across = glm::cross(w, e2);
+        const float determinant = glm::dot(e1, across);
+        if (determinant == 0.0f) return {};
+        const glm::vec3 s = from - t.a;
+        glm::vec2 uv = glm::vec2(glm::dot(s, across), glm::dot(w, glm::cross(s, e1))) / determinant;
+        uv = glm::clamp(uv, 0.0f, 1.0f);
+        return {uv / std::max(uv.x + uv.y, 1.0f), 1.0f / seen.solid_angle};
+    }
     // Uniform on the triangle [Turk1990].
-    float root = std::sqrt(u.x);
-    glm::vec2 uv(root * (1.0f - u.y), root * u.y);
-    glm::vec3 point = t.a * (1.0f - uv.x - uv.y) + t.b * uv.x + t.c * uv.y;
+    const float root = std::sqrt(v.x);
+    const glm::vec2 uv(root * (1.0f - v.y), root * v.y);
+    const glm::vec3 d = t.a + (t.b - t.a) * uv.x + (t.c - t.a) * uv.y - from;
+    return {uv, by_angle(1.0f / t.area, t.normal, d)};
+}
 
-    glm::vec3 d = point - from;
-    float r2 = glm::dot(d, d);
-    float facing = -glm::dot(t.normal, d);
-    if (r2 <= 0.0f || facing == 0.0f || (facing < 0.0f && !t.two_sided) || e.area_pdf <= 0.0f) return arrival;
-    float r = std::sqrt(r2);
-    arrival.wi = d / r;
-    arrival.pdf = e.area_pdf * r2 * r / std::abs(facing);
-    glm::vec3 emission =
-        e.textured ? emission_at(*scene_, std::uint32_t(t.instance), t.triangle, uv) : t.emission;
+float LightSampler::pdf(const Emitter& e, glm::vec3 from, glm::vec3 point, glm::vec2 uv) const {
+    const EmissiveTriangle& t = e.triangle;
+    if (e.map >= 0) return by_angle(maps_[std::size_t(e.map)].density(uv) / t.area, t.normal, point - from);
+    const float solid_angle = SphericalTriangle(from, t.a, t.b, t.c).solid_angle;
+    return solid_angle > least_solid_angle ? 1.0f / solid_angle
+                                           : by_angle(1.0f / t.area, t.normal, point - from);
+}
+
+LightArrival LightSampler::sample_emitter(glm::vec3 from, glm::vec3 normal, float u, glm::vec2 v) const {
+    LightArrival arrival{{}, {}, false, glm::vec3(0.0f), 0.0f};
+    const LightTree::Choice choice = tree_.choose(from, normal, u);
+    if (choice.chance <= 0.0f) return arrival;
+    const Emitter& e = emitters_[choice.emitter];
+    const EmissiveTriangle& t = e.triangle;
+    const Place place = draw(e, from, v);
+    const glm::vec3 point = t.a + (t.b - t.a) * place.uv.x + (t.c - t.a) * place.uv.y, d = point - from;
+    const float r2 = glm::dot(d, d), facing = -glm::dot(t.normal, d);
+    if (!(r2 > 0.0f) || facing == 0.0f || (facing < 0.0f && !t.two_sided) || !(place.pdf > 0.0f))
+        return arrival;
+    arrival.wi = d / std::sqrt(r2);
+    arrival.pdf = place.pdf * choice.chance;
+    const std::uint32_t instance = std::uint32_t(t.instance);
+    const glm::vec3 emission = e.varies ? emission_at(*scene_, instance, t.triangle, place.uv) *
+                                              coverage_at(*scene_, instance, t.triangle, place.uv)
+                                        : t.emission;
     arrival.radiance = emission / arrival.pdf;
 
     // End the shadow ray in front of the emitter, clear of its own rounding.
@@ -110,20 +139,24 @@ LightArrival LightSampler::punctual(std::size_t light, glm::vec3 from) const {
 bool LightSampler::choose_among(const ShadingPoint& point, std::vector<float>& cumulative) const {
     cumulative.clear();
     float sum = 0.0f;
+    const bool both_sides = point.receiving_normal() == glm::vec3(0.0f);
     for (const shared::Light& light : scene_->lights) {
         shared::LightSample s = shared::sample_light(light, point.surface->position);
-        sum += luminance(s.irradiance) * std::max(glm::dot(point.normal, s.wi), 0.0f);
+        const float cosine = glm::dot(point.normal, s.wi);
+        sum += luminance(s.irradiance) * (both_sides ? std::abs(cosine) : std::max(cosine, 0.0f));
         cumulative.push_back(sum);
     }
     return sum > 0.0f;
 }
 
-float LightSampler::emitter_pdf(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi) const {
-    const std::vector<float>& of_instance = pdf_[hit.instance];
-    if (of_instance.empty()) return 0.0f;
-    glm::vec3 d = surface.position - from;
-    float cosine = std::abs(glm::dot(surface.geometric_normal, wi));
-    return cosine > 0.0f ? of_instance[hit.triangle] * glm::dot(d, d) / cosine : 0.0f;
+float LightSampler::emitter_pdf(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 normal,
+                                glm::vec3 wi) const {
+    const std::vector<std::uint32_t>& of_instance = emitter_of_[hit.instance];
+    if (of_instance.empty() || of_instance[hit.triangle] == 0) return 0.0f;
+    if (glm::dot(surface.geometric_normal, wi) == 0.0f) return 0.0f;
+    const std::size_t emitter = of_instance[hit.triangle] - 1;
+    const float chance = tree_.chance(emitter, from, normal);
+    return chance > 0.0f ? chance * pdf(emitters_[emitter], from, surface.position, {hit.u, hit.v}) : 0.0f;
 }
 
 } // namespace luxel

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Sampling of all that emits: triangles by power, the environment by importance, punctual lights by what they
-// send.
+// Sampling of all that emits: triangles by what they would send to a point, the environment by importance,
+// punctual lights by what they send.
 #pragma once
 #include <vector>
 
 #include "reference/bsdf.h"
+#include "reference/light_tree.h"
+#include "scene/emission_map.h"
 #include "scene/environment.h"
 #include "scene/lights.h"
 
@@ -30,11 +32,9 @@ public:
     bool has_environment() const { return !environment_.empty(); }
     std::size_t punctual_count() const { return scene_->lights.size(); }
 
-    // Chooses an emissive triangle by power. Known before the surface it will light: its data is fetched
-    // meanwhile.
-    std::size_t choose_emitter(float u) const;
-    // One point on it; radiance is 0 where it does not face `from`.
-    LightArrival sample_emitter(std::size_t emitter, glm::vec3 from, glm::vec2 u) const;
+    // A point of an emissive triangle; u: chooses the triangle, v: the point. Radiance is 0 where nothing
+    // faces `from`. normal: of the surface that is lit, zero: it is lit from everywhere.
+    LightArrival sample_emitter(glm::vec3 from, glm::vec3 normal, float u, glm::vec2 v) const;
     LightArrival sample_environment(glm::vec2 u) const;
     LightArrival punctual(std::size_t light, glm::vec3 from) const;
     // Chances to choose among many punctual lights at a surface: cumulative, proportional to what each would
@@ -42,7 +42,8 @@ public:
     bool choose_among(const ShadingPoint& point, std::vector<float>& cumulative) const;
 
     // Densities of the two samplers above for a direction that was found by BSDF sampling, 1/sr.
-    float emitter_pdf(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi) const;
+    float emitter_pdf(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 normal,
+                      glm::vec3 wi) const;
     float environment_pdf(glm::vec3 wi) const { return environment_.pdf(wi); }
 
 private:
@@ -50,16 +51,24 @@ private:
     EnvironmentSampler environment_;
     struct Emitter {
         EmissiveTriangle triangle;
-        float area_pdf; // 1/m2
-        float clear;    // see clearance()
-        bool textured;  // the emission varies
+        float clear; // see clearance()
+        int map;     // of a textured one, drawn by texel; -1: none
+        bool varies; // not the same everywhere: textured, or with holes
     };
+    // A point of an emitter before it is known what it sends.
+    struct Place {
+        glm::vec2 uv;
+        float pdf; // 1/sr from `from`
+    };
+    Place draw(const Emitter& e, glm::vec3 from, glm::vec2 v) const;
+    // The same density of a point that is known.
+    float pdf(const Emitter& e, glm::vec3 from, glm::vec3 point, glm::vec2 uv) const;
+
     std::vector<Emitter> emitters_;
-    std::vector<float> cumulative_; // share of the power up to and with emitter i
-    std::vector<std::uint32_t>
-        guide_; // for the n-th of equal parts of [0, 1): the emitter that its start falls on
-    // area_pdf by instance and triangle; empty for instances that do not emit
-    std::vector<std::vector<float>> pdf_;
+    std::vector<EmissionMap> maps_;
+    LightTree tree_;
+    // Index of the emitter plus one, by instance and triangle; empty for instances that do not emit
+    std::vector<std::vector<std::uint32_t>> emitter_of_;
 };
 
 // Index of the element that `u` in [0, 1) falls on.

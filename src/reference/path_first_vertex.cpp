@@ -6,6 +6,7 @@
 
 #include "reference/coverage.h"
 #include "reference/path_tracer.h"
+#include "scene/thin_sheets.h"
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -93,19 +94,30 @@ glm::vec3 PathTracer::diffuse_reflection(const Surface& surface, glm::vec3 direc
     const Surface lambertian = lambertian_part(surface);
     ShadingPoint point(lambertian, direction);
     if (!point.has_smooth_lobes()) return glm::vec3(0.0f);
-    std::size_t emitter = lights_.has_emitters() ? lights_.choose_emitter(random.next()) : 0;
     LightSamples samples;
-    sample_lights(point, emitter, later_draws, random, samples);
+    sample_lights(point, later_draws, random, samples);
     glm::vec3 sum = visible_light(point, samples).diffuse;
     if (!lights_.has_emitters() && !lights_.has_environment()) return sum;
 
     BsdfSample sample = sample_bsdf(point, random);
     if (sample.weight == glm::vec3(0.0f)) return sum;
-    Ray ray{point.origin(sample.wi), sample.wi};
+    return sum + sample.weight * straight_light(point, sample);
+}
+
+// Emission along a ray that a smooth lobe has sent, through thin sheets: what light samples could have found.
+glm::vec3 PathTracer::straight_light(const ShadingPoint& point, const BsdfSample& sent) const {
+    glm::vec3 sum(0.0f), share(1.0f);
+    Ray ray{point.origin(sent.wi), sent.wi};
     Hit hit;
-    if (!intersect(ray, hit)) return sum + sample.weight * environment_met(sample.wi, sample.pdf);
-    Surface met = surface_at(*scene_, hit, sample.wi);
-    return sum + sample.weight * emission_met(hit, met, surface.position, sample.wi, sample.pdf);
+    while (share != glm::vec3(0.0f)) {
+        if (!intersect(ray, hit)) return sum + share * environment_met(sent.wi, sent.pdf);
+        const Surface met = surface_at(*scene_, hit, sent.wi);
+        sum += share * met.coverage *
+               emission_met(hit, met, {point.surface->position, point.receiving_normal()}, sent.wi, sent.pdf);
+        share *= straight_transmittance(met, sent.wi);
+        ray.origin = ShadingPoint(met, sent.wi).origin(sent.wi);
+    }
+    return sum;
 }
 
 } // namespace luxel

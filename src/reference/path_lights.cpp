@@ -2,7 +2,6 @@
 // Light at a vertex: samples of the lights, and the weight of emission that a path meets by itself.
 #include <cmath>
 
-#include "reference/coverage.h"
 #include "reference/path_tracer.h"
 
 namespace luxel {
@@ -17,10 +16,10 @@ float power_heuristic(float pdf, float other) {
 
 } // namespace
 
-bool PathTracer::occluded(const ShadingPoint& point, const LightArrival& light) const {
+glm::vec3 PathTracer::transmitted(const ShadingPoint& point, const LightArrival& light) const {
     const Ray ray = shadow_ray(point, light);
     if (options_.log) options_.log->entries.push_back({ray, true});
-    return rays_->occluded(ray);
+    return rays_->transmitted(ray);
 }
 
 void PathTracer::add_sample(const ShadingPoint& point, const LightArrival& light,
@@ -57,13 +56,18 @@ void PathTracer::sample_punctual(const ShadingPoint& point, int draws, Random& r
     }
 }
 
-void PathTracer::sample_lights(const ShadingPoint& point, std::size_t emitter, int punctual_draws,
-                               Random& random, LightSamples& samples) const {
+void PathTracer::sample_lights(const ShadingPoint& point, int punctual_draws, Random& random,
+                               LightSamples& samples) const {
     if (!point.has_smooth_lobes()) return;
     if (punctual_draws > 0) sample_punctual(point, punctual_draws, random, samples);
     if (options_.strategy == Strategy::bsdf_only) return;
-    if (lights_.has_emitters())
-        add_sample(point, lights_.sample_emitter(emitter, point.surface->position, random.next2()), samples);
+    if (lights_.has_emitters()) {
+        const float u = random.next();
+        add_sample(
+            point,
+            lights_.sample_emitter(point.surface->position, point.receiving_normal(), u, random.next2()),
+            samples);
+    }
     if (lights_.has_environment()) add_sample(point, lights_.sample_environment(random.next2()), samples);
 }
 
@@ -71,10 +75,9 @@ BsdfValue PathTracer::visible_light(const ShadingPoint& point, const LightSample
     BsdfValue sum;
     for (std::size_t i = 0; i < samples.count; ++i) {
         const LightSamples::Sample& s = samples.samples[i];
-        if (occluded(point, s.light)) continue;
-        const float past = blended_ ? uncovered(*rays_, shadow_ray(point, s.light)) : 1.0f;
-        sum.diffuse += past * s.reflected.diffuse;
-        sum.specular += past * s.reflected.specular;
+        const glm::vec3 share = transmitted(point, s.light);
+        sum.diffuse += share * s.reflected.diffuse;
+        sum.specular += share * s.reflected.specular;
     }
     return sum;
 }
@@ -88,12 +91,12 @@ glm::vec3 PathTracer::environment_met(glm::vec3 wi, float bsdf_pdf) const {
     return radiance * power_heuristic(bsdf_pdf, lights_.environment_pdf(wi));
 }
 
-glm::vec3 PathTracer::emission_met(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi,
+glm::vec3 PathTracer::emission_met(const Hit& hit, const Surface& surface, const Sender& from, glm::vec3 wi,
                                    float bsdf_pdf) const {
     if (surface.emission == glm::vec3(0.0f)) return glm::vec3(0.0f);
     if (!surface.front && !surface.material->double_sided) return glm::vec3(0.0f);
     if (bsdf_pdf <= 0.0f || options_.strategy == Strategy::bsdf_only) return surface.emission;
-    float light_pdf = lights_.emitter_pdf(hit, surface, from, wi);
+    float light_pdf = lights_.emitter_pdf(hit, surface, from.position, from.normal, wi);
     if (options_.strategy == Strategy::lights_only)
         return light_pdf > 0.0f ? glm::vec3(0.0f) : surface.emission;
     return surface.emission * power_heuristic(bsdf_pdf, light_pdf);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "reference/coverage.h"
+#include "scene/thin_sheets.h"
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -36,7 +37,7 @@ WantedComponents::WantedComponents(const std::vector<std::string>& names, Causti
 
 PathTracer::PathTracer(const RayCaster& rays, const ReferenceRequest& request,
                        const PathTracerOptions& options)
-    : rays_(&rays), scene_(&rays.scene()), blended_(has_blended(rays.scene())), settings_(request.settings),
+    : rays_(&rays), scene_(&rays.scene()), settings_(request.settings),
       wanted_(request.components, request.settings.caustic_method), options_(options), lights_(rays.scene()),
       camera_(camera_basis(request.camera, request.width, request.height)), near_(request.camera.near),
       far_(request.camera.far), width_(request.width), height_(request.height) {}
@@ -76,9 +77,25 @@ bool PathTracer::more_is_wanted(const Path& path) const {
     return path.diffuse != glm::vec3(0.0f) && (wanted_.diffuse || (wanted_.diffuse1 && path.vertex == 1));
 }
 
-// Continues the path from `point`; false where it ends.
-bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
-    BsdfSample sample = sample_bsdf(point, path.random);
+bool PathTracer::go_on(Path& path, const ShadingPoint& point) const {
+    const BsdfSample sample = sample_bsdf(point, path.random);
+    // Light samples of a surface look through thin sheets, so that for its own rays they are no vertices
+    // either. Before the first such surface a sheet is glass that the camera looks through.
+    return sample.straight && path.after_smooth ? pass_straight(path, point, sample)
+                                                : scatter(path, point, sample);
+}
+
+bool PathTracer::pass_straight(Path& path, const ShadingPoint& point, const BsdfSample& sample) const {
+    --path.vertex;
+    for (glm::vec3* throughput :
+         {&path.beta, &path.diffuse, &path.reflected, &path.reflected_smooth, &path.caustic})
+        *throughput *= sample.weight;
+    path.ray = {point.origin(sample.wi), sample.wi};
+    return path.beta != glm::vec3(0.0f);
+}
+
+bool PathTracer::scatter(Path& path, const ShadingPoint& point, const BsdfSample& sample) const {
+    path.from = {point.surface->position, point.receiving_normal()};
     path.beta *= sample.weight;
     path.diffuse *= sample.diffuse;
     const bool specular = sample.ideal || has_specular_ggx(*point.surface, settings_.specular_roughness);
@@ -110,9 +127,7 @@ bool PathTracer::scatter(Path& path, const ShadingPoint& point) const {
     return true;
 }
 
-// The emitter for the surface that the ray will meet is chosen first, so that its data arrives with the hit.
 void PathTracer::send(Path& path, const FirstVertex* known) const {
-    if (lights_.has_emitters()) path.emitter = lights_.choose_emitter(path.random.next());
     if (known)
         path.hit = known->hit, path.found = known->found;
     else
@@ -125,7 +140,7 @@ Path PathTracer::start(int x, int y, int sample, const FirstVertex* first, const
     Path path{Random(pixel, shared::uint(sample), shared::uint(settings_.seed))};
     glm::vec2 jitter = settings_.pixel_center ? glm::vec2(0.5f) : path.random.next2();
     path.ray = camera_ray(glm::vec2(x, y) + jitter);
-    path.from = path.ray.origin;
+    path.from.position = path.ray.origin;
     path.length = camera_.orthographic ? 1.0f : 0.0f;
     path.first = first;
     path.photons = photons;
@@ -193,11 +208,7 @@ BsdfValue PathTracer::lit_by_lights(Path& path, const ShadingPoint& point) const
     const FirstVertex* first = path.vertex == 1 ? path.first : nullptr;
     const bool all_known = first && first->lit_by_all;
     LightSamples samples;
-    sample_lights(point, path.emitter,
-                  all_known          ? 0
-                  : path.vertex == 1 ? first_draws
-                                     : later_draws,
-                  path.random, samples);
+    sample_lights(point, all_known ? 0 : path.vertex == 1 ? first_draws : later_draws, path.random, samples);
     BsdfValue lit = visible_light(point, samples);
     if (all_known) lit.diffuse += first->lit.diffuse, lit.specular += first->lit.specular;
     return lit;
@@ -221,22 +232,22 @@ void PathTracer::step(Path& path) const {
     absorb(path, &surface);
     add_met(path, emission_met(path.hit, surface, path.from, path.ray.direction, path.pdf));
     ++path.vertex;
-    const bool lambertian = only_lambertian_matters(path);
+    const bool sheet = path.after_smooth && is_clear_sheet(surface);
+    const bool lambertian = !sheet && only_lambertian_matters(path);
     if (lambertian && path.vertex > 1) surface = lambertian_part(surface);
     ShadingPoint point(surface, path.ray.direction);
     if (path.vertex == 1) add_first_vertex(point, path.random, path.result);
     if (path.vertex <= settings_.max_bounces + 1) add_photons(path, point);
     const bool lit_is_wanted = path.vertex <= settings_.max_bounces + 1 && is_wanted(path, false);
-    if (!lit_is_wanted && !more_is_wanted(path)) return;
+    if (!lit_is_wanted && !more_is_wanted(path) && !sheet) return;
 
     // It reflects light that comes straight from its sources, and light from the next surface.
     if (lit_is_wanted) add_lit(path, surface, lit_by_lights(path, point));
-    path.from = surface.position;
     if (lambertian && path.vertex == 1) {
         surface = lambertian_part(surface);
         point = ShadingPoint(surface, path.ray.direction);
     }
-    if (!scatter(path, point)) return;
+    if (!go_on(path, point)) return;
     send(path);
     path.alive = true;
 }

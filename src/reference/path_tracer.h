@@ -62,16 +62,20 @@ struct FirstVertex {
     BsdfValue lit;
 };
 
+// The surface at which light samples compete with a ray.
+struct Sender {
+    glm::vec3 position{0.0f}, normal{0.0f};
+};
+
 // The state of one camera path.
 struct Path {
     Random random;
     const FirstVertex* first = nullptr; // known beforehand
     Ray ray{};
-    glm::vec3 from{0.0f}; // the surface that sent it, or the camera
+    Sender from; // the surface that sent it, or the camera
     bool alive = true;
-    Hit hit{};               // of the ray,
-    bool found = false;      // if it meets a surface
-    std::size_t emitter = 0; // chosen for the surface that the ray meets
+    Hit hit{};          // of the ray,
+    bool found = false; // if it meets a surface
     PathSample result;
     int vertex = 0;                      // surfaces met so far
     glm::vec3 beta{1.0f};                // throughput of all lobes
@@ -133,19 +137,20 @@ private:
     Ray camera_ray(glm::vec2 pixel) const;
     bool intersect(const Ray& ray, Hit& hit) const;
     bool intersect_seen(const Ray& ray, Hit& hit) const; // of rays from the camera
-    bool occluded(const ShadingPoint& point, const LightArrival& light) const;
+    // Share of the light that gets to the point, straight through thin sheets.
+    glm::vec3 transmitted(const ShadingPoint& point, const LightArrival& light) const;
 
-    // Next-event estimation (path_lights.cpp): samples of all lights (of the emitters, one that was chosen),
+    // Next-event estimation (path_lights.cpp): samples of all lights (of the emitters, one point),
     // and what `point` reflects of those that are visible. Where there are many punctual lights, so many are
     // drawn; 0: none is sampled.
-    void sample_lights(const ShadingPoint& point, std::size_t emitter, int punctual_draws, Random& random,
+    void sample_lights(const ShadingPoint& point, int punctual_draws, Random& random,
                        LightSamples& samples) const;
     void sample_punctual(const ShadingPoint& point, int draws, Random& random, LightSamples& samples) const;
     void add_sample(const ShadingPoint& point, const LightArrival& light, LightSamples& samples) const;
     BsdfValue visible_light(const ShadingPoint& point, const LightSamples& samples) const;
     // Emission met by a ray that was drawn with density bsdf_pdf, with its MIS weight.
     glm::vec3 environment_met(glm::vec3 wi, float bsdf_pdf) const;
-    glm::vec3 emission_met(const Hit& hit, const Surface& surface, glm::vec3 from, glm::vec3 wi,
+    glm::vec3 emission_met(const Hit& hit, const Surface& surface, const Sender& from, glm::vec3 wi,
                            float bsdf_pdf) const;
 
     static constexpr int paths_side_by_side = 16;
@@ -162,7 +167,9 @@ private:
     void absorb(Path& path, const Surface* met) const;               // what media take from the present ray
     void send(Path& path, const FirstVertex* known = nullptr) const; // along its ray
     void finish(Path& path) const;
-    bool scatter(Path& path, const ShadingPoint& point) const;
+    bool go_on(Path& path, const ShadingPoint& point) const; // from a surface; false where the path ends
+    bool pass_straight(Path& path, const ShadingPoint& point, const BsdfSample& sample) const;
+    bool scatter(Path& path, const ShadingPoint& point, const BsdfSample& sample) const;
     BsdfValue lit_by_lights(Path& path, const ShadingPoint& point) const;
     void add_met(Path& path, glm::vec3 met) const; // emission that the path's ray meets
     void add_lit(Path& path, const Surface& surface, const BsdfValue& lit) const;
@@ -180,10 +187,10 @@ private:
     float openness(const ShadingPoint& point, Random& random) const;
     glm::vec3 unoccluded_bounce(const ShadingPoint& point, Random& random) const;
     glm::vec3 diffuse_reflection(const Surface& surface, glm::vec3 direction, Random& random) const;
+    glm::vec3 straight_light(const ShadingPoint& point, const BsdfSample& sent) const;
 
     const RayCaster* rays_;
     const Scene* scene_;
-    bool blended_; // the scene has surfaces that leave a share of the light to pass
     ReferenceSettings settings_;
     WantedComponents wanted_;
     PathTracerOptions options_;

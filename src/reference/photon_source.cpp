@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "reference/coverage.h"
+#include "scene/thin_sheets.h"
 #include "shared/sampling.h"
 
 namespace luxel {
@@ -41,7 +41,7 @@ glm::vec2 on_triangle(glm::vec2 u) {
 
 PhotonSource::PhotonSource(const RayCaster& rays, float specular_roughness, bool only_punctual)
     : rays_(&rays), scene_(&rays.scene()), specular_roughness_(specular_roughness),
-      only_punctual_(only_punctual), lights_(rays.scene()), blended_(has_blended(rays.scene())) {
+      only_punctual_(only_punctual), lights_(rays.scene()) {
     find_targets();
     const auto kinds = kinds_there();
     if (std::none_of(kinds.begin(), kinds.end(), [](bool there) { return there; })) targets_.clear();
@@ -102,14 +102,14 @@ double PhotonSource::sent_on(const Target& target, glm::vec2 uv, const shared::L
         specular_part(surface_at(*scene_, target.hit(uv), -light.wi), specular_roughness_);
     const ShadingPoint point(surface, -light.wi);
     const float cosine = std::abs(glm::dot(surface.geometric_normal, light.wi));
-    const float share =
-        surface.transmission + luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
-                                                                 glm::dot(point.normal, point.wo)));
+    const float share = surface.transmission - luminance(sheet_transmittance(surface, -light.wi)) +
+                        luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
+                                                          glm::dot(point.normal, point.wo)));
     const float level = luminance(light.irradiance) * cosine * share;
     const bool far = from.type == shared::LIGHT_DIRECTIONAL;
-    if (level <= 0.0f || rays_->occluded(shadow_ray(point, {light.wi, from.position, far, {}, 0.0f})))
-        return 0.0;
-    return double(level * target.area);
+    if (level <= 0.0f) return 0.0;
+    const glm::vec3 arrives = rays_->transmitted(shadow_ray(point, {light.wi, from.position, far, {}, 0.0f}));
+    return double(level * luminance(arrives) * target.area);
 }
 
 void PhotonSource::look_at_targets() {
@@ -184,7 +184,7 @@ LightArrival PhotonSource::arrival(Kind kind, glm::vec3 position, glm::vec3 norm
     case punctual:
         return one_punctual(position, normal, u);
     case emitter:
-        return lights_.sample_emitter(lights_.choose_emitter(u), position, v);
+        return lights_.sample_emitter(position, glm::vec3(0.0f), u, v);
     default:
         return lights_.sample_environment(v);
     }
@@ -214,25 +214,25 @@ std::optional<PhotonPath> PhotonSource::start(Random& random) const {
     if (!light.infinite)
         path.power *= path.media.transmittance(glm::length(light.target - surface.position), &surface);
     const ShadingPoint point(surface, -light.wi);
-    if (rays_->occluded(shadow_ray(point, light))) return std::nullopt;
-    if (blended_) path.power *= uncovered(*rays_, shadow_ray(point, light));
+    path.power *= rays_->transmitted(shadow_ray(point, light));
     if (path.power == glm::vec3(0.0f)) return std::nullopt;
-    if (!scatter_photon(path, surface, specular_roughness_, random)) return std::nullopt;
+    if (scatter_photon(path, surface, specular_roughness_, random) != PhotonTurn::turned) return std::nullopt;
     return path;
 }
 
-bool scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness, Random& random) {
+PhotonTurn scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness,
+                          Random& random) {
     const Surface specular = specular_part(surface, specular_roughness);
     const ShadingPoint point(specular, path.ray.direction);
     const BsdfSample sample = sample_bsdf(point, random, Transport::flux);
     const float strongest = std::max(std::max(sample.weight.x, sample.weight.y), sample.weight.z);
-    if (!(strongest > 0.0f)) return false;
+    if (!(strongest > 0.0f)) return PhotonTurn::ended;
     const float survival = std::min(strongest, 1.0f);
-    if (random.next() >= survival) return false;
+    if (random.next() >= survival) return PhotonTurn::ended;
     path.power *= sample.weight / survival;
     path.media.leave(surface, sample.wi);
     path.ray = {point.origin(sample.wi), sample.wi};
-    return true;
+    return sample.straight ? PhotonTurn::straight : PhotonTurn::turned;
 }
 
 } // namespace luxel

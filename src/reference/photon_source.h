@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the photons of caustics start: at the first specular surface of a path, found by area, its light by
-// the samplers of next-event estimation. It does for any light what a projection map [Jensen2001,
-// section 7.2.1] does for a point light: no photon is sent where nothing specular is.
+// Where the photons of caustics start: at the first specular surface of a path that turns the light, found by
+// area, its light by the samplers of next-event estimation, straight through thin sheets as there. It does
+// for any light what a projection map [Jensen2001, section 7.2.1] does for a point light: no photon is sent
+// where nothing specular is.
 #pragma once
 #include <array>
 #include <optional>
@@ -29,8 +30,9 @@ public:
     PhotonSource(const RayCaster& rays, float specular_roughness, bool only_punctual);
 
     bool empty() const { return targets_.empty(); }
-    // The mean of what photons carry is the light that leaves specular surfaces which lights reach directly.
-    // Nothing where the drawn light does not reach the drawn point.
+    // The mean of what photons carry is the light that leaves specular surfaces which lights reach straight,
+    // save what goes straight on there, too: next-event estimation finds it. Nothing where the drawn light
+    // does not reach the drawn point.
     std::optional<PhotonPath> start(Random& random) const;
 
 private:
@@ -62,14 +64,14 @@ private:
     float specular_roughness_;
     bool only_punctual_;
     LightSampler lights_;
-    bool blended_;
     std::vector<Target> targets_;
     std::vector<double> cumulative_; // chances up to and with target i
     std::array<float, kind_count> kind_chance_{};
 };
 
-// Continues a path of light at a surface by its specular lobes; false where it ends. A path that loses light
-// is ended instead with a chance, so that photons stay equally strong.
-bool scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness, Random& random);
+// Continues a path of light at a surface by its specular lobes. A path that loses light is ended instead with
+// a chance, so that photons stay equally strong.
+enum class PhotonTurn { ended, straight, turned };
+PhotonTurn scatter_photon(PhotonPath& path, const Surface& surface, float specular_roughness, Random& random);
 
 } // namespace luxel

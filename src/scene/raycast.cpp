@@ -3,6 +3,7 @@
 // the scene meet bit for bit in the tree, so that the robust intersector leaves no cracks.
 #include "scene/raycast.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -10,6 +11,7 @@
 #include "core/error.h"
 #include "scene/shading_mesh.h"
 #include "scene/surface.h"
+#include "scene/thin_sheets.h"
 
 namespace luxel {
 namespace {
@@ -60,15 +62,25 @@ void reject_backs(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
-RTCRay embree_ray(const Ray& ray) {
+// Geometries by what a ray may be asked about.
+constexpr unsigned solid_mask = 1, sheet_mask = 2;
+
+RTCRay embree_ray(const Ray& ray, unsigned mask = ~0u) {
     RTCRay r;
     r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
     r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
     r.tnear = ray.t_min, r.tfar = ray.t_max;
     r.time = 0.0f;
-    r.mask = ~0u;
+    r.mask = mask;
     r.id = r.flags = 0;
     return r;
+}
+
+RTCScene robust_tree(RTCDevice device) {
+    RTCScene tree = rtcNewScene(device);
+    rtcSetSceneBuildQuality(tree, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneFlags(tree, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    return tree;
 }
 
 } // namespace
@@ -77,18 +89,20 @@ struct RayCaster::Data {
     explicit Data(const Scene& s) : scene(&s) {}
     ~Data() {
         if (tree) rtcReleaseScene(tree);
+        if (sheets) rtcReleaseScene(sheets);
         if (device) rtcReleaseDevice(device);
     }
     Data(const Data&) = delete;
     Data& operator=(const Data&) = delete;
 
     void add(std::uint32_t instance);
-    bool nearest(const Ray& ray, RTCIntersectContext* context, Hit& hit) const;
     void check(const char* what) const;
+    bool nearest(RTCScene among, const RTCRay& ray, RTCIntersectContext* context, Hit& hit) const;
 
     const Scene* scene;
     RTCDevice device = nullptr;
     RTCScene tree = nullptr;
+    RTCScene sheets = nullptr;          // what is pervious once more, by itself; none: nothing is
     std::vector<float> winding;         // per instance: -1 where the transform mirrors
     std::vector<char> one_sided;        // per instance: cameras look through its backs
     std::vector<MaskedInstance> masked; // per instance, for the filters
@@ -128,8 +142,15 @@ void RayCaster::Data::add(std::uint32_t index) {
         rtcSetGeometryOccludedFilterFunction(geometry, blended ? reject_all : reject_transparent);
     }
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+    const Material& material = scene->materials[std::size_t(mesh.material)];
+    const bool sheet = may_be_clear_sheet(material) || material.alpha_mode == AlphaMode::blend;
+    rtcSetGeometryMask(geometry, sheet ? sheet_mask : solid_mask);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(tree, geometry, index);
+    if (sheet) {
+        if (!sheets) sheets = robust_tree(device);
+        rtcAttachGeometryByID(sheets, geometry, index);
+    }
     rtcReleaseGeometry(geometry);
     check("adding a mesh");
 }
@@ -138,16 +159,14 @@ RayCaster::RayCaster(const Scene& scene) : data_(std::make_unique<Data>(scene)) 
     data_->device = rtcNewDevice(nullptr);
     if (!data_->device)
         fail(Fault::resource, "{}: ray casting: Embree has no device on this processor", scene.name);
-    data_->tree = rtcNewScene(data_->device);
-    rtcSetSceneBuildQuality(data_->tree, RTC_BUILD_QUALITY_HIGH);
-    rtcSetSceneFlags(data_->tree,
-                     RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    data_->tree = robust_tree(data_->device);
     data_->winding.resize(scene.instances.size());
     data_->one_sided.resize(scene.instances.size());
     data_->masked.resize(scene.instances.size());
     data_->shading.resize(scene.instances.size());
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) data_->add(i);
     rtcCommitScene(data_->tree);
+    if (data_->sheets) rtcCommitScene(data_->sheets);
     data_->check("building the tree");
 }
 
@@ -155,11 +174,12 @@ RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
-bool RayCaster::Data::nearest(const Ray& ray, RTCIntersectContext* context, Hit& hit) const {
+bool RayCaster::Data::nearest(RTCScene among, const RTCRay& ray, RTCIntersectContext* context,
+                              Hit& hit) const {
     RTCRayHit query;
-    query.ray = embree_ray(ray);
+    query.ray = ray;
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tree, context, &query);
+    rtcIntersect1(among, context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
     hit.t = query.ray.tfar;
     hit.instance = query.hit.geomID;
@@ -174,7 +194,7 @@ bool RayCaster::Data::nearest(const Ray& ray, RTCIntersectContext* context, Hit&
 bool RayCaster::intersect(const Ray& ray, Hit& hit) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    return data_->nearest(ray, &context, hit);
+    return data_->nearest(data_->tree, embree_ray(ray), &context, hit);
 }
 
 bool RayCaster::intersect_seen(const Ray& ray, Hit& hit) const {
@@ -186,7 +206,7 @@ bool RayCaster::intersect_seen(const Ray& ray, Hit& hit) const {
     rtcInitIntersectContext(&context.embree);
     context.embree.filter = reject_backs;
     context.winding = &data_->winding, context.one_sided = &data_->one_sided;
-    return data_->nearest(ray, &context.embree, hit);
+    return data_->nearest(data_->tree, embree_ray(ray), &context.embree, hit);
 }
 
 bool RayCaster::occluded(const Ray& ray) const {
@@ -195,6 +215,27 @@ bool RayCaster::occluded(const Ray& ray) const {
     RTCRay query = embree_ray(ray);
     rtcOccluded1(data_->tree, &context, &query);
     return query.tfar < 0.0f; // Embree's mark for "something is in the way"
+}
+
+glm::vec3 RayCaster::transmitted(const Ray& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay solid = embree_ray(ray, data_->sheets ? solid_mask : ~0u);
+    rtcOccluded1(data_->tree, &context, &solid);
+    if (solid.tfar < 0.0f) return glm::vec3(0.0f);
+
+    // The sheets in their order along the ray. Each is met once: the next query begins behind it by some
+    // roundings of its distance, more than Embree's comparison errs by.
+    constexpr float behind = 1.0f + 0x1p-20f;
+    glm::vec3 share(1.0f);
+    Ray rest = ray;
+    Hit hit;
+    while (data_->sheets && data_->nearest(data_->sheets, embree_ray(rest), &context, hit)) {
+        share *= straight_transmittance(surface_at(*data_->scene, hit, ray.direction), ray.direction);
+        if (share == glm::vec3(0.0f)) break;
+        rest.t_min = std::max(hit.t * behind, 1e-30f);
+    }
+    return share;
 }
 
 const Scene& RayCaster::scene() const { return *data_->scene; }

@@ -36,6 +36,9 @@ public:
     // The same for a camera, which looks through the backs that Material::looks_through_back says.
     bool intersect_seen(const Ray& ray, Hit& hit) const;
     bool occluded(const Ray& ray) const; // any hit
+    // Share of the light that gets along the ray: nothing where something solid is in the way, otherwise what
+    // the thin sheets on it let straight through (thin_sheets.h).
+    glm::vec3 transmitted(const Ray& ray) const;
     const Scene& scene() const;
     void* embree_scene() const; // RTCScene, for the benchmark that compares with bare queries
 
