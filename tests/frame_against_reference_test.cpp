@@ -49,16 +49,16 @@ FrameOptions exact_options() {
 }
 
 // lift: meters off the surface where the ray starts.
-bool reaches(const RayCaster& rays, const shared::Light& light, glm::vec3 point, glm::vec3 n, float lift) {
+float reaches(const RayCaster& rays, const shared::Light& light, glm::vec3 point, glm::vec3 n, float lift) {
     shared::LightSample to_light = shared::sample_light(light, point);
-    if (glm::dot(n, to_light.wi) <= 0.0f) return false;
+    if (glm::dot(n, to_light.wi) <= 0.0f) return 0.0f;
     Ray ray{point + n * lift, to_light.wi, 0.0f, to_light.distance * 0.9999f};
-    return !rays.occluded(ray);
+    return luminance(rays.transmitted(ray));
 }
 
 // Where a receiver lies beside a shadow's border: moving it on its tangent plane by up to two of the map's
-// texels, on a 5x5 grid, changes whether the light reaches it. (The nearest texel is up to .71 away, the
-// receiver's offset adds up to .71, and the border itself is drawn to one texel.)
+// texels, on a 5x5 grid, changes whether the light reaches it, or through how many panes. (The nearest texel
+// is up to .71 away, the receiver's offset adds up to .71, and the border itself is drawn to one texel.)
 bool near_border(const RayCaster& rays, const FittedLight& fitted, glm::vec3 point, glm::vec3 n, float lift) {
     const shared::Light& light = fitted.light.light;
     std::size_t map = 0;
@@ -70,13 +70,13 @@ bool near_border(const RayCaster& rays, const FittedLight& fitted, glm::vec3 poi
     float cosine = glm::dot(along, n);
     if (cosine <= 0.0f) return false;
 
-    bool lit = reaches(rays, light, point, n, lift);
+    float lit = reaches(rays, light, point, n, lift);
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
             glm::vec3 aside = view.right * (float(x) * 2.0f * view.half_texel.x * w) +
                               view.up * (float(y) * 2.0f * view.half_texel.y * w);
             glm::vec3 moved = point + aside - along * (glm::dot(aside, n) / cosine);
-            if (reaches(rays, light, moved, n, lift) != lit) return true;
+            if (std::abs(reaches(rays, light, moved, n, lift) - lit) > 0.02f) return true;
         }
     return false;
 }
@@ -158,6 +158,56 @@ TEST(FrameAgainstReference, ShapesUnderPointSpotAndDirectionalLight) {
     }
 }
 
+// Panes of colored glass above a floor, one above the other in part, one slanted, a solid card between, and
+// one that only half of the light passes, whose own top the light has not passed yet.
+Scene glazing(shared::uint type) {
+    Scene scene;
+    scene.name = "glazing";
+    const auto add = [&](const Material& m, glm::vec3 corner, glm::vec3 u, glm::vec3 v) {
+        scene.materials.push_back(m);
+        Mesh mesh;
+        mesh.material = int(scene.materials.size()) - 1;
+        add_quad(mesh, corner, u, v);
+        scene.meshes.push_back(mesh);
+        scene.instances.push_back({.mesh = int(scene.meshes.size()) - 1});
+    };
+    Material gray, glass, half;
+    gray.base_color = {0.6f, 0.5f, 0.4f, 1.0f}, gray.metallic = 0.0f;
+    glass.base_color = {0.9f, 0.5f, 0.2f, 1.0f}, glass.metallic = glass.roughness = 0.0f,
+    glass.transmission = 1.0f;
+    half = gray, half.transmission = 0.5f, half.roughness = half.specular = 0.0f;
+    add(gray, {-4, 0, 4}, {8, 0, 0}, {0, 0, -8});
+    add(glass, {-2.5f, 1.0f, 2}, {3, 0, 0}, {0, 0, -3});
+    glass.base_color = {0.3f, 0.8f, 0.9f, 1.0f}, glass.ior = 1.8f;
+    add(glass, {-1.5f, 1.3f, 1.4f}, {3, 0.8f, 0}, {0, 0, -3});
+    add(gray, {-0.4f, 0.6f, 0.4f}, {0.8f, 0, 0}, {0, 0, -0.8f});
+    add(half, {1.2f, 0.4f, 2.5f}, {1.5f, 0, 0}, {0, 0, -1.5f});
+    shared::Light light{};
+    light.type = type, light.position = {0.4f, 3.5f, 0.6f};
+    light.direction = glm::normalize(glm::vec3(0.2f, -1.0f, -0.3f)), light.intensity = glm::vec3(10, 12, 14);
+    light.inner = shared::versine(0.6f), light.outer = shared::versine(0.9f);
+    scene.lights = {light};
+    Camera camera;
+    camera.position = {0.5f, 2.6f, 5.5f}, camera.forward = glm::normalize(glm::vec3(-0.05f, -0.5f, -1.0f));
+    scene.cameras = {camera};
+    return scene;
+}
+
+TEST(FrameAgainstReference, PanesWeakenPointSpotAndDirectionalLight) {
+    for (shared::uint type :
+         {shared::LIGHT_POINT, shared::LIGHT_SPOT, shared::LIGHT_DIRECTIONAL, shared::LIGHT_COSINE})
+        for (ShadowMode mode : {ShadowMode::hard, ShadowMode::pcf}) {
+            const Scene scene = glazing(type);
+            const RayCaster rays(scene);
+            FrameOptions options = exact_options();
+            options.shadow = mode;
+            const Comparison c = compare(scene, rays, scene.cameras[0], {320, 240}, options);
+            EXPECT_LE(c.error, 0.01) << type << " " << int(mode);
+            EXPECT_LE(c.border, 0.25) << type;
+            EXPECT_LE(c.leaks, mode == ShadowMode::hard ? 0.001 : 0.02) << type;
+        }
+}
+
 // The emitter replaced by three of its sample lights: the maths of a light, without the error of sampling.
 TEST(FrameAgainstReference, CornellUnderCosineLights) {
     Scene scene = cornell();
@@ -186,6 +236,45 @@ double mean_relative_difference(const Image& reference, const RenderResult& fram
             difference += std::abs(luminance(frame.radiance.rgb(x, y)) - r), sum += r;
         }
     return difference / sum;
+}
+
+// A lamp's highlight on polished plastic is the lamp's mirror image, not 32 dazzling dots: no pixel is far
+// brighter than the image's brightest, and the light of the whole is that of the truth.
+TEST(FrameAgainstReference, HighlightsOfSampledLampsAreAsBrightAsTheLamp) {
+    Scene scene;
+    scene.name = "highlight";
+    const auto add = [&](const Material& m, glm::vec3 corner, glm::vec3 u, glm::vec3 v) {
+        scene.materials.push_back(m);
+        Mesh mesh;
+        mesh.material = int(scene.materials.size()) - 1;
+        add_quad(mesh, corner, u, v);
+        scene.meshes.push_back(mesh);
+        scene.instances.push_back({.mesh = int(scene.meshes.size()) - 1});
+    };
+    Material plastic, lamp;
+    plastic.base_color = {0.02f, 0.02f, 0.02f, 1.0f}, plastic.metallic = 0.0f, plastic.roughness = 0.12f;
+    lamp.base_color = {0, 0, 0, 1}, lamp.emission = glm::vec3(20.0f);
+    add(plastic, {-4, 0, 4}, {8, 0, 0}, {0, 0, -8});
+    add(lamp, {-0.5f, 2, -2.5f}, {1, 0, 0}, {0, 0, 1});
+    Camera camera;
+    camera.position = {0, 1.5f, 2.5f}, camera.forward = glm::normalize(glm::vec3(0, -0.7f, -1));
+    const Size size{64, 48};
+    const RayCaster rays(scene);
+    const Image truth = reference_direct(rays, camera, size, 512);
+    FrameOptions options = exact_options();
+    options.shadow = ShadowMode::pcf, options.emitter_lights = 32;
+    const RenderResult frame = frame_direct(scene, camera, size, options);
+    double sum = 0, sum_truth = 0;
+    float most = 0, most_truth = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (*frame.mask.at(x, y) == 0.0f || truth.rgb(x, y).g > 15.0f) continue; // the lamp itself
+            sum += double(frame.radiance.rgb(x, y).g), sum_truth += double(truth.rgb(x, y).g);
+            most = std::max(most, frame.radiance.rgb(x, y).g),
+            most_truth = std::max(most_truth, truth.rgb(x, y).g);
+        }
+    EXPECT_LT(most, 2.0f * most_truth);
+    EXPECT_NEAR(sum / sum_truth, 1.0, 0.05);
 }
 
 TEST(FrameAgainstReference, EmitterSamplesConvergeToTheAreaLight) {

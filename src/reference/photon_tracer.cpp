@@ -74,19 +74,22 @@ PhotonLight reflected_photons(const PhotonMap& map, const ShadingPoint& point, f
     if (map.size() == 0 || !point.has_smooth_lobes()) return light;
     const bool glossy = point.specular_chance > 0.0f && !point.mirror;
     const float r2 = radius * radius;
-    const glm::vec3 diffuse = point.surface->brdf.diffuse / (shared::PI * shared::PI * r2);
-    glm::vec3 inner(0.0f);
+    glm::vec3 inner(0.0f), gloss(0.0f), inner_gloss(0.0f);
     map.within(point.surface->position, radius, [&](const Photon& photon, float d2) {
         if (glm::dot(photon.normal, point.geometric_normal) < same_side) return;
-        glm::vec3 reflected = photon.power * diffuse;
+        light.whole += photon.power;
+        if (d2 <= 0.5f * r2) inner += photon.power;
         const float cosine = glm::dot(point.normal, photon.direction);
-        if (glossy && cosine > 0.0f)
-            reflected += photon.power * evaluate_bsdf(point, photon.direction).specular *
-                         (1.0f / (shared::PI * r2 * cosine));
-        light.whole += reflected;
-        if (d2 <= 0.5f * r2) inner += reflected;
+        if (!glossy || cosine <= 0.0f) return;
+        const glm::vec3 mirrored = photon.power * evaluate_bsdf(point, photon.direction).specular / cosine;
+        gloss += mirrored;
+        if (d2 <= 0.5f * r2) inner_gloss += mirrored;
     });
-    light.bias = 2.0f * (light.whole - 2.0f * inner);
+    const glm::vec3 diffuse = point.surface->brdf.diffuse / (shared::PI * shared::PI * r2);
+    const float specular = 1.0f / (shared::PI * r2);
+    light.whole = light.whole * diffuse + gloss * specular;
+    inner = inner * (diffuse * 2.0f) + inner_gloss * (specular * 2.0f);
+    light.bias = 2.0f * (light.whole - inner);
     return light;
 }
 

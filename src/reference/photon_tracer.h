@@ -50,8 +50,6 @@ struct PhotonPass {
 // to it: with an error that grows as r^2, twice the difference to the radius r / sqrt 2 is that error.
 struct PhotonLight {
     glm::vec3 whole{0.0f}, bias{0.0f};
-    float squares =
-        0.0f; // of each photon's share of `whole`, in luminance: the variance of a sum of rare events
 };
 PhotonLight reflected_photons(const PhotonMap& map, const ShadingPoint& point, float radius);
 

@@ -77,5 +77,19 @@ LUXEL_FN LightSample sample_light(Light light, vec3 position) {
     return s;
 }
 
+// Solid angle that a sample of a larger source stands for at the receiver, sr; 0 for points of their own.
+LUXEL_FN float sampled_solid_angle(Light light, LightSample s) {
+    if (light.extent <= 0.0f || light.type == LIGHT_DIRECTIONAL) return light.extent;
+    return light.extent * max(-dot(light.direction, s.wi), 0.0f) / (s.distance * s.distance);
+}
+
+// A GGX lobe's width where the light is no point but fills a solid angle. Around a half vector that is spread over a
+// disc of radius q, the mean of alpha^2 / (pi (r^2 + alpha^2)^2) over the disc is 1 / (pi (q^2 + alpha^2)): the
+// peak of the lobe with alpha^2 + q^2 in place of alpha^2, which is normalized as every lobe is. A half vector
+// turns by d(half) = d(light) / (4 cos) in solid angle, so pi q^2 = solid_angle / (4 cos_half).
+LUXEL_FN float widened_alpha(float alpha, float solid_angle, float cos_half) {
+    return sqrt(min(alpha * alpha + solid_angle / (4.0f * PI * max(cos_half, 1e-4f)), 1.0f));
+}
+
 LUXEL_END
 #endif

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/brdf.h"
+
 namespace luxel::shared {
 namespace {
 
@@ -16,7 +18,8 @@ Light spot(float inner_degrees, float outer_degrees) {
     l.type = LIGHT_SPOT, l.position = {0.3f, 2.0f, -0.7f};
     l.direction = normalize(vec3(0.4f, -1.0f, 0.2f));
     l.intensity = vec3(4.0f);
-    l.inner = versine(float(inner_degrees * to_radians)), l.outer = versine(float(outer_degrees * to_radians));
+    l.inner = versine(float(inner_degrees * to_radians)),
+    l.outer = versine(float(outer_degrees * to_radians));
     return l;
 }
 
@@ -49,6 +52,36 @@ TEST(SpotLight, VersinesKnowTheirAngles) {
         EXPECT_NEAR(versine_tangent(versine(angle)) / std::tan(angle), 1.0f, 1e-5f);
         EXPECT_NEAR(versine_angle(versine(angle)) / angle, 1.0f, 1e-5f);
     }
+}
+
+// The lobe's mean over a disc of directions around its peak, by quadrature over half vectors.
+TEST(SampledLight, WidensALobeToItsMeanOverTheSource) {
+    for (float alpha : {0.0004f, 0.01f, 0.04f})
+        for (float radius : {0.005f, 0.03f, 0.08f}) {
+            double sum = 0.0;
+            const int n = 20000;
+            for (int i = 0; i < n; ++i) { // equal areas
+                const double r2 = (i + 0.5) / n * double(radius * radius);
+                const vec3 h = normalize(vec3(float(std::sqrt(r2)), 0.0f, 1.0f));
+                sum += double(ggx_d(vec3(0, 0, 1), h, alpha)) / n;
+            }
+            const float cos_half = 0.7f, solid_angle = 4.0f * cos_half * PI * radius * radius;
+            const float wide = widened_alpha(alpha, solid_angle, cos_half);
+            EXPECT_NEAR(1.0 / double(PI * wide * wide) / sum, 1.0, alpha < 0.001f ? 0.05 : 0.02)
+                << alpha << " " << radius;
+        }
+    EXPECT_EQ(widened_alpha(0.2f, 0.0f, 0.5f), 0.2f);
+    EXPECT_EQ(widened_alpha(0.2f, 100.0f, 0.5f), 1.0f);
+}
+
+TEST(SampledLight, KnowsItsSolidAngle) {
+    Light l{};
+    l.type = LIGHT_COSINE, l.position = {0, 2, 0}, l.direction = {0, -1, 0}, l.extent = 0.5f;
+    EXPECT_NEAR(sampled_solid_angle(l, sample_light(l, {0, 0, 0})), 0.125f, 1e-6f);
+    EXPECT_NEAR(sampled_solid_angle(l, sample_light(l, {2, 0, 0})), 0.5f * std::sqrt(0.5f) / 8.0f, 1e-6f);
+    EXPECT_EQ(sampled_solid_angle(l, sample_light(l, {0, 3, 0})), 0.0f);
+    l.type = LIGHT_DIRECTIONAL;
+    EXPECT_EQ(sampled_solid_angle(l, sample_light(l, {0, 0, 0})), 0.5f);
 }
 
 } // namespace

@@ -17,6 +17,20 @@ layout(binding = 5) uniform sampler2D geometric_normal;
 layout(binding = 6) uniform sampler2DArray shadow_maps;
 layout(binding = 7, rgba32f) uniform image2D direct;
 layout(binding = 8, rgba32f) uniform image2D direct_diffuse;
+#ifdef SHEETS // sheets.h
+layout(binding = 9) uniform sampler2DArray optical_depths;
+layout(binding = 10) uniform sampler2DArray nearest_sheets;
+
+// Share of the light that passes the sheets in front of a receiver. All sheets of a map lie in front of what is
+// solid there; a receiver on the nearest of them has none in front.
+vec3 passed_sheets(vec2 texel, float z, uint map) {
+    ivec2 nearest = clamp(ivec2(floor(texel)), ivec2(0), ivec2(p.map_size) - 1);
+    if (z >= texelFetch(nearest_sheets, ivec3(nearest, map), 0).r) return vec3(1);
+    return exp(-textureLod(optical_depths, vec3(texel / p.map_size, map), 0.0).rgb);
+}
+#else
+float passed_sheets(vec2 texel, float z, uint map) { return 1.0; }
+#endif
 
 float stored(ivec2 texel, uint map) {
     return texelFetch(shadow_maps, ivec3(clamp(texel, ivec2(0), ivec2(p.map_size) - 1), map), 0).r;
@@ -48,12 +62,12 @@ float exponential(vec2 texel, float r, float cos_theta, uint map) {
     return dot(v, gather_weights(vec2(1.0 - f.x, f.x), vec2(1.0 - f.y, f.y)));
 }
 
-// Share of the light that reaches position, 0 to 1. n: geometric normal on the receiver's side.
-float visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
+// Share of the light that reaches position, 0 to 1, by channel. n: geometric normal on the receiver's side.
+vec3 visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
     uint map = l.first_map;
     if (l.maps > 1u) {
         uint face = cube_face(l.axes, position - l.light.position);
-        if (face >= l.maps) return 1.0; // behind the plane of the light
+        if (face >= l.maps) return vec3(1); // behind the plane of the light
         map += face;
     }
     ShadowView view = p.maps[map];
@@ -62,10 +76,15 @@ float visibility(ShadowedLight l, vec3 position, vec3 n, float cos_theta) {
     vec4 clip = view.world_to_map * vec4(receiver, 1.0);
     vec3 c = clip.xyz / clip.w;
     vec2 texel = vec2(0.5 + 0.5 * c.x, 0.5 - 0.5 * c.y) * p.map_size;
-    if (SHADOW_MODE == SHADOW_ESM) return exponential(texel, linear_light_depth(view, c.z), cos_theta, map);
     float z = c.z + DEPTH_ROUNDING;
-    if (SHADOW_MODE == SHADOW_PCF) return percentage_closer(texel, z, map);
-    return z >= stored(ivec2(floor(texel)), map) ? 1.0 : 0.0;
+    float lit;
+    if (SHADOW_MODE == SHADOW_ESM)
+        lit = exponential(texel, linear_light_depth(view, c.z), cos_theta, map);
+    else if (SHADOW_MODE == SHADOW_PCF)
+        lit = percentage_closer(texel, z, map);
+    else
+        lit = z >= stored(ivec2(floor(texel)), map) ? 1.0 : 0.0;
+    return vec3(lit * passed_sheets(texel, z, map));
 }
 
 void main() {
@@ -92,7 +111,11 @@ void main() {
         vec3 e = light.irradiance * visibility(l, position, ng, cos_theta);
         if (e == vec3(0)) continue;
         sum_diffuse += e * brdf.diffuse * (cos_theta / PI);
-        if (!mirror) sum_specular += e * reflect_specular(brdf, n, ng, wo, light.wi);
+        if (mirror) continue;
+        // A sample of a lamp or of the sky stands for directions around it.
+        Brdf lobe = brdf;
+        lobe.alpha = widened_alpha(brdf.alpha, sampled_solid_angle(l.light, light), dot(wo, normalize(wo + light.wi)));
+        sum_specular += e * reflect_specular(lobe, n, ng, wo, light.wi);
     }
     imageStore(direct, pixel, imageLoad(direct, pixel) + vec4(sum_diffuse + sum_specular, 0));
     imageStore(direct_diffuse, pixel, imageLoad(direct_diffuse, pixel) + vec4(sum_diffuse, 0));

@@ -17,8 +17,8 @@ constexpr std::uint64_t batch_bytes = std::uint64_t(128) << 20;
 constexpr int least_map_size = 64;
 
 // As many maps as a batch may have; a cube must fit.
-int batch_maps(int size) {
-    const int affordable = int(batch_bytes / (std::uint64_t(size) * std::uint64_t(size) * 4));
+int batch_maps(int size, bool with_sheets) {
+    const int affordable = int(batch_bytes / ShadowMaps::bytes_of(size, 1, ShadowMode::hard, with_sheets));
     return std::min(shared::MAX_BATCH_MAPS, std::max(affordable, 6));
 }
 
@@ -60,6 +60,7 @@ void DirectLight::render(gpu::Recorder& recorder, ShadowCache& shadows,
                          const std::vector<Capture>& captures) const {
     LUXEL_ASSERT(!captures.empty(), "lights={}", lights_.size());
     const Bounds& scene = captures.front().scene->bounds();
+    const bool sheets = !captures.front().scene->sheets().empty();
     std::vector<glm::vec3> receivers;
     for (const Capture& c : captures)
         for (glm::vec3 corner : common_corners(scene, frustum_of(c.view.world_to_clip), c.view.position))
@@ -74,7 +75,7 @@ void DirectLight::render(gpu::Recorder& recorder, ShadowCache& shadows,
             const FrameLight& l = lights_[next];
             const int count = shadow_map_count(l.light);
             if (l.map_size != first.map_size || follows_camera(l.light) != follows_camera(first.light) ||
-                used + count > batch_maps(l.map_size) || int(batch.size()) == shared::MAX_BATCH_LIGHTS)
+                used + count > batch_maps(l.map_size, sheets) || int(batch.size()) == shared::MAX_BATCH_LIGHTS)
                 break;
             batch.push_back(fit_shadow_maps(l.light, scene, receivers, l.map_size));
             batch.back().light.first_map = shared::uint(used);
@@ -90,25 +91,31 @@ void DirectLight::add(gpu::Recorder& recorder, ShadowCache& shadows, const std::
     std::vector<shared::ShadowView> views;
     for (const FittedLight& l : batch) views.insert(views.end(), l.views.begin(), l.views.end());
     const Capture& first = captures.front();
-    gpu::Image shadow_maps = shadows.maps(recorder, *first.scene, map_size, views, first.search);
+    const ShadowImages maps = shadows.maps(recorder, *first.scene, map_size, views, first.search);
+    const bool sheets = bool(maps.sheets.nearest);
 
     shared::DirectParams p{
         .esm_exponent = options_.esm_exponent, .light_count = int(batch.size()), .map_size = float(map_size)};
     for (std::size_t i = 0; i < batch.size(); ++i) p.lights[i] = batch[i].light;
     std::copy(views.begin(), views.end(), p.maps);
-    static constexpr const char* programs[] = {"frame/direct_hard.comp", "frame/direct_pcf.comp",
-                                               "frame/direct_esm.comp"};
+    static constexpr const char* programs[][2] = {{"frame/direct_hard.comp", "frame/direct_hard_sheets.comp"},
+                                                  {"frame/direct_pcf.comp", "frame/direct_pcf_sheets.comp"},
+                                                  {"frame/direct_esm.comp", "frame/direct_esm_sheets.comp"}};
     for (const Capture& c : captures) {
         p.view = c.view;
-        recorder.dispatch(programs[std::size_t(options_.shadow)], extent_of(c.direct), p,
-                          {{"depth", c.gbuffer.depth},
-                           {"diffuse", c.gbuffer.diffuse},
-                           {"specular", c.gbuffer.specular},
-                           {"normal", c.gbuffer.normal},
-                           {"geometric_normal", c.gbuffer.geometric_normal},
-                           {"shadow_maps", shadow_maps},
-                           {"direct", c.direct},
-                           {"direct_diffuse", c.direct_diffuse}});
+        gpu::Bindings bindings = {{"depth", c.gbuffer.depth},
+                                  {"diffuse", c.gbuffer.diffuse},
+                                  {"specular", c.gbuffer.specular},
+                                  {"normal", c.gbuffer.normal},
+                                  {"geometric_normal", c.gbuffer.geometric_normal},
+                                  {"shadow_maps", maps.depth},
+                                  {"direct", c.direct},
+                                  {"direct_diffuse", c.direct_diffuse}};
+        if (sheets) {
+            bindings.push_back({"optical_depths", maps.sheets.optical_depth, gpu::Sampler::linear_clamp});
+            bindings.push_back({"nearest_sheets", maps.sheets.nearest});
+        }
+        recorder.dispatch(programs[std::size_t(options_.shadow)][sheets], extent_of(c.direct), p, bindings);
     }
 }
 

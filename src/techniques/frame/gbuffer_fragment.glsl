@@ -2,7 +2,9 @@
 // The surface under the pixel's center, as surface_at in scene/surface.cpp finds it. TEXTURES is
 // TEXTURES_NONE, TEXTURES_COMMON (those of core glTF, filtered by the sampler) or TEXTURES_ALL. DISPLACED: it
 // lies behind the polygon, by the material's height map.
+// SHEET: what light passes straight through, seen from the light (sheets.h).
 #include "shared/clearcoat.h"
+#include "shared/thin_sheet.h"
 #include "techniques/frame/material.glsl"
 #include "techniques/frame/view_params.h"
 
@@ -43,12 +45,17 @@ layout(location = 4) in vec4 color;
 layout(location = 5) in float depth;
 layout(location = 6) flat in float handedness;
 
+#ifdef SHEET
+layout(location = 0) out vec4 out_optical_depth;
+layout(location = 1) out float out_nearest;
+#else
 layout(location = 0) out vec4 out_diffuse;
 layout(location = 1) out vec4 out_specular;
 layout(location = 2) out vec4 out_normal;
 layout(location = 3) out vec4 out_geometric_normal;
 layout(location = 4) out float out_depth;
 layout(location = 5) out vec4 out_emission;
+#endif
 
 // World shading normal of the front side, normal map included. `geometric` stands in for degenerate input.
 vec3 shading_normal(vec3 geometric) {
@@ -134,6 +141,16 @@ void main() {
     }
     Brdf brdf = scale_brdf(lobes, 1.0 - transmission);
 
+#ifdef SHEET
+    // Sheets that add up multiply what passes. A ten-thousandth is as good as black. (Views of lights may mirror:
+    // which side is the front is not known here.)
+    if (roughness >= MIRROR_ROUGHNESS) transmission = 0.0; // it is spread
+    vec3 passed = transmission * thin_transmittance(dot(shading, to_eye), m.ior, specular * specular_color, base.rgb);
+    if (m.blended > 0.5) passed = mix(vec3(1.0), passed, clamp(base.a, 0.0, 1.0));
+    out_optical_depth = vec4(-log(max(passed, vec3(1e-4))), 0.0);
+    out_nearest = gl_FragCoord.z;
+    if (m.blended < 0.5 && base.a < m.alpha_cutoff) discard;
+#else
     out_diffuse = vec4(brdf.diffuse, is_mirror(metallic, roughness) ? 0.0 : max(lobe_roughness, MIRROR_ROUGHNESS));
     out_specular = vec4(brdf.f0, brdf.f90.x);
 #ifdef PEEL
@@ -161,5 +178,6 @@ void main() {
     if (z <= before || (p.blended > 1.5 && before <= 0.0)) discard;
     float solid = m.double_sided == 0u ? 1.0 : 0.0;
     if ((front ? p.drop_front : p.drop_back + p.drop_solid_back * solid) > 0.5) discard;
+#endif
 #endif
 }

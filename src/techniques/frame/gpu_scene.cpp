@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "scene/thin_sheets.h"
 #include "techniques/frame/gpu_scene_params.h"
 #include "techniques/frame/texture_upload.h"
 
@@ -135,6 +136,12 @@ std::optional<float> mask_of(const Material& m) {
 GpuScene::GpuScene(gpu::Gpu& gpu, const Scene& scene, bool mipmaps) : scene_(&scene) {
     upload_geometry(gpu);
     upload_materials(gpu, mipmaps);
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        sheets_.push_back(may_be_clear_sheet(scene.materials[std::size_t(mesh.material)]));
+        solids_.push_back(!sheets_.back());
+    }
+    if (std::find(sheets_.begin(), sheets_.end(), true) == sheets_.end()) sheets_.clear(), solids_.clear();
 }
 
 void GpuScene::upload_geometry(gpu::Gpu& gpu) {

@@ -42,6 +42,11 @@ public:
                                     const std::vector<bool>& drawn = {}, bool apart = false,
                                     Facing facing = Facing::any) const;
 
+    // By instance, for batches(): thin sheets that light passes straight through, and all others. Both empty
+    // where the scene has no sheets.
+    const std::vector<bool>& sheets() const { return sheets_; }
+    const std::vector<bool>& solids() const { return solids_; }
+
     // Set 0 of the vertex shaders: "positions" and "instances" alone; with what the alpha test needs; all
     // attributes.
     gpu::Bindings vertex_bindings(MaterialUse use) const;
@@ -84,6 +89,7 @@ private:
     std::vector<MaterialOnGpu> materials_;
     std::vector<Object> objects_;       // sorted by material
     std::vector<glm::mat4> transforms_; // of the scene's instances
+    std::vector<bool> sheets_, solids_;
     std::uint64_t version_ = 0;
 };
 

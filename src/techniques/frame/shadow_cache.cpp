@@ -41,9 +41,11 @@ std::uint64_t ShadowCache::bytes() const {
 // gone. Beyond it the entry that was used last is overwritten: frames ask for the same batches in the same
 // order, and of such a cycle replacing the latest keeps the most, where replacing the oldest would keep
 // nothing.
-ShadowCache::Entry& ShadowCache::entry_for(int size, int layers) {
-    const std::uint64_t needed = ShadowMaps::bytes_of(size, layers, mode_);
-    const auto fits = [&](const Entry& e) { return e.maps.size() == size && e.maps.layers() >= layers; };
+ShadowCache::Entry& ShadowCache::entry_for(int size, int layers, bool with_sheets) {
+    const std::uint64_t needed = ShadowMaps::bytes_of(size, layers, mode_, with_sheets);
+    const auto fits = [&](const Entry& e) {
+        return e.maps.size() == size && e.maps.layers() >= layers && e.maps.with_sheets() == with_sheets;
+    };
     const auto stale = [&](const Entry& e) { return e.last_frame + 1 < frame_; };
     const auto older = [](const Entry& a, const Entry& b) { return a.last_use < b.last_use; };
 
@@ -60,25 +62,28 @@ ShadowCache::Entry& ShadowCache::entry_for(int size, int layers) {
             if (fits(e) && (!latest || older(*latest, e))) latest = &e;
         if (latest) return *latest;
     }
-    return entries_.emplace_back(Entry{.maps = ShadowMaps(gpu_, size, layers, mode_)});
+    return entries_.emplace_back(Entry{.maps = ShadowMaps(gpu_, size, layers, mode_, with_sheets)});
 }
 
-gpu::Image ShadowCache::maps(gpu::Recorder& recorder, const GpuScene& scene, int size,
-                             const std::vector<shared::ShadowView>& views,
-                             const std::optional<shared::HeightSearch>& search) {
+ShadowImages ShadowCache::maps(gpu::Recorder& recorder, const GpuScene& scene, int size,
+                               const std::vector<shared::ShadowView>& views,
+                               const std::optional<shared::HeightSearch>& search) {
     const auto kept = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
         return e.maps.size() == size && e.scene == &scene && e.scene_version == scene.version() &&
                same_search(e.search, search) && same_views(e.views, views);
     });
     const bool hit = kept != entries_.end();
-    Entry& entry = hit ? *kept : entry_for(size, int(views.size()));
+    const bool sheets = !hit && std::any_of(views.begin(), views.end(), [&](const shared::ShadowView& v) {
+        return sees_sheets(scene, v.world_to_map);
+    });
+    Entry& entry = hit ? *kept : entry_for(size, int(views.size()), sheets);
     if (!hit) {
-        entry.image = entry.maps.draw(recorder, scene, views, esm_exponent_, search);
+        entry.images = entry.maps.draw(recorder, scene, views, esm_exponent_, search);
         entry.scene = &scene, entry.scene_version = scene.version();
         entry.views = views, entry.search = search;
     }
     entry.last_frame = frame_, entry.last_use = ++uses_;
-    return entry.image;
+    return entry.images;
 }
 
 } // namespace luxel

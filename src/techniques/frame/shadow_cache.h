@@ -30,9 +30,9 @@ public:
 
     // The maps of these views, `size` texels a side, one layer each, as frame/direct.glsl reads them. Passes
     // that read them are to be recorded before the next call.
-    gpu::Image maps(gpu::Recorder& recorder, const GpuScene& scene, int size,
-                    const std::vector<shared::ShadowView>& views,
-                    const std::optional<shared::HeightSearch>& search);
+    ShadowImages maps(gpu::Recorder& recorder, const GpuScene& scene, int size,
+                      const std::vector<shared::ShadowView>& views,
+                      const std::optional<shared::HeightSearch>& search);
 
 private:
     struct Entry {
@@ -42,9 +42,9 @@ private:
         std::vector<shared::ShadowView> views;
         std::optional<shared::HeightSearch> search;
         std::uint64_t last_frame = 0, last_use = 0;
-        gpu::Image image; // what draw() returned
+        ShadowImages images; // what draw() returned
     };
-    Entry& entry_for(int size, int layers);
+    Entry& entry_for(int size, int layers, bool with_sheets);
     std::uint64_t bytes() const; // of all maps kept
 
     gpu::Gpu& gpu_;

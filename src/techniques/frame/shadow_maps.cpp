@@ -120,45 +120,60 @@ FittedLight fit_shadow_maps(const shared::Light& light, const Bounds& scene,
     return fitted;
 }
 
-ShadowMaps::ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode) : mode_(mode) {
+ShadowMaps::ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode, bool with_sheets) : mode_(mode) {
     gpu::ImageInfo info{.width = std::uint32_t(size),
                         .height = std::uint32_t(size),
                         .format = VK_FORMAT_D32_SFLOAT,
                         .layers = std::uint32_t(layers)};
     depth_ = gpu.image(info, "shadow maps");
+    if (with_sheets) {
+        info.format = optical_depth_format;
+        sheets_.optical_depth = gpu.image(info, "sheets' optical depth");
+        info.format = nearest_sheet_format;
+        sheets_.nearest = gpu.image(info, "nearest sheets");
+    }
     if (mode != ShadowMode::esm) return;
     info.format = VK_FORMAT_R32_SFLOAT;
     filtered_ = gpu.image(info, "filtered shadow maps");
     temporary_ = gpu.image(info, "half filtered shadow maps");
 }
 
-std::uint64_t ShadowMaps::bytes_of(int size, int layers, ShadowMode mode) {
-    const std::uint64_t images = mode == ShadowMode::esm ? 3 : 1;
-    return images * 4 * std::uint64_t(size) * std::uint64_t(size) * std::uint64_t(layers);
+std::uint64_t ShadowMaps::bytes_of(int size, int layers, ShadowMode mode, bool with_sheets) {
+    const std::uint64_t words = (mode == ShadowMode::esm ? 3 : 1) + (with_sheets ? 3 : 0);
+    return words * 4 * std::uint64_t(size) * std::uint64_t(size) * std::uint64_t(layers);
 }
 
-gpu::Image ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
-                            const std::vector<shared::ShadowView>& views, float esm_exponent,
-                            const std::optional<shared::HeightSearch>& search) const {
+ShadowImages ShadowMaps::draw(gpu::Recorder& recorder, const GpuScene& scene,
+                              const std::vector<shared::ShadowView>& views, float esm_exponent,
+                              const std::optional<shared::HeightSearch>& search) const {
     LUXEL_ASSERT(int(views.size()) <= layers(), "views={} layers={}", views.size(), layers());
 
     auto scope = recorder.scope("shadow");
 
-    for (std::uint32_t i = 0; i < views.size(); ++i)
-        draw_depth(recorder, scene, views[i].world_to_map, depth_.layer(i), search);
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
+        const gpu::Image map = depth_.layer(i);
+        draw_depth(recorder, scene, views[i].world_to_map, map, search, scene.solids());
+        if (with_sheets())
+            draw_sheets(recorder, scene, views[i].world_to_map, map,
+                        {sheets_.optical_depth.layer(i), sheets_.nearest.layer(i)});
+    }
     gpu::Extent threads{depth_.width(), depth_.height(), std::uint32_t(views.size())};
-    if (mode_ != ShadowMode::esm) return first_layers(depth_, threads.z);
+    ShadowImages images{.depth = first_layers(depth_, threads.z)};
+    if (with_sheets())
+        images.sheets = {first_layers(sheets_.optical_depth, threads.z),
+                         first_layers(sheets_.nearest, threads.z)};
+    if (mode_ != ShadowMode::esm) return images;
 
     // Blur of exp(c z) along x, then y.
     shared::EsmParams p{
         .direction = {1, 0}, .exponent = esm_exponent, .maps = int(views.size()), .reversed = 1};
     std::copy(views.begin(), views.end(), p.views);
-    gpu::Image depth = first_layers(depth_, threads.z), temporary = first_layers(temporary_, threads.z),
-               filtered = first_layers(filtered_, threads.z);
-    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", depth}, {"to", temporary}});
+    gpu::Image temporary = first_layers(temporary_, threads.z), filtered = first_layers(filtered_, threads.z);
+    recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", images.depth}, {"to", temporary}});
     p.direction = {0, 1}, p.reversed = 0;
     recorder.dispatch("frame/esm_blur.comp", threads, p, {{"from", temporary}, {"to", filtered}});
-    return filtered;
+    images.depth = filtered;
+    return images;
 }
 
 } // namespace luxel

@@ -6,6 +6,7 @@
 #include "gpu/recorder.h"
 #include "techniques/frame/frame.h"
 #include "techniques/frame/shadow_params.h"
+#include "techniques/frame/sheets.h"
 
 namespace luxel {
 
@@ -32,27 +33,36 @@ struct LightCone {
 };
 std::vector<LightCone> light_cones(const shared::Light& light);
 
+// Maps as frame/direct.glsl reads them, a layer for each view: reversed depth of what is solid, or for
+// exponential maps the filtered linear depth; and where any view sees thin sheets, what those let through.
+struct ShadowImages {
+    gpu::Image depth;
+    SheetTargets sheets; // empty handles: none is seen
+};
+
 // An array of maps of one size.
 class ShadowMaps {
 public:
-    ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode);
+    ShadowMaps(gpu::Gpu& gpu, int size, int layers, ShadowMode mode, bool with_sheets);
     int size() const { return int(depth_.width()); }
     int layers() const { return int(depth_.info().layers); }
 
-    // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. The result, as many
-    // layers as views, is what frame/direct.glsl reads. search: of height maps; none: they are not looked at.
-    gpu::Image draw(gpu::Recorder& recorder, const GpuScene& scene,
-                    const std::vector<shared::ShadowView>& views, float esm_exponent,
-                    const std::optional<shared::HeightSearch>& search) const;
+    // Draws the scene into the first views.size() maps; filters them for ShadowMode::esm. search: of height
+    // maps; none: they are not looked at.
+    ShadowImages draw(gpu::Recorder& recorder, const GpuScene& scene,
+                      const std::vector<shared::ShadowView>& views, float esm_exponent,
+                      const std::optional<shared::HeightSearch>& search) const;
+    bool with_sheets() const { return bool(sheets_.nearest); }
     std::uint64_t bytes() const {
-        return bytes_of(size(), layers(), mode_);
+        return bytes_of(size(), layers(), mode_, with_sheets());
     } // of device memory, without padding
-    static std::uint64_t bytes_of(int size, int layers, ShadowMode mode);
+    static std::uint64_t bytes_of(int size, int layers, ShadowMode mode, bool with_sheets);
 
 private:
     ShadowMode mode_;
     gpu::Image depth_;                // D32F
     gpu::Image filtered_, temporary_; // R32F, ShadowMode::esm only
+    SheetTargets sheets_;
 };
 
 } // namespace luxel

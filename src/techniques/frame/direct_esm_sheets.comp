@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHEETS
+#define SHADOW_MODE SHADOW_ESM
+#include "techniques/frame/direct.glsl"

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHEET
+#define TEXTURES TEXTURES_COMMON
+#include "techniques/frame/gbuffer_fragment.glsl"
