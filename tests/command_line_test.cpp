@@ -3,10 +3,12 @@
 // output.
 #include <fstream>
 #include <functional>
+#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/image_io.h"
 #include "support/luxel_process.h"
 
 namespace luxel::testing {
@@ -168,6 +170,31 @@ TEST(CommandLine, UnknownNamesListTheKnownOnes) {
             << ::testing::PrintToString(command);
 }
 
+TEST(CommandLine, MistypedNamesAreAnsweredByWhatIsMeant) {
+    const TemporaryFolder out;
+    const std::string picture = (out.path() / "p.png").string();
+    const std::vector<std::pair<std::vector<std::string>, std::string>> commands = {
+        {{"evalaute"}, "evaluate"},
+        {{"--quiet", "--threads", "2", "redner"}, "render"},
+        {{"render", "--ues", "isr"}, "--use"},
+        {{"info", "builtin:cornell", "--jsn"}, "--json"},
+        {{"info", "builtin:cornel"}, "cornell"},
+        {{"render", "builtin:cornell", "--use", "irs", "-o", picture}, "isr"},
+        {{"render", "builtin:cornell", "--use", "isr:samlpes=8", "-o", picture}, "samples"},
+        {{"render", "builtin:cornell", "--use", "isr:mode=calibarted", "-o", picture}, "calibrated"},
+        {{"render", "builtin:cornell", "--frame", "shadow_sise=8", "-o", picture}, "shadow_size"},
+        {{"render", "builtin:cornell", "--view", "kamera", "-o", picture}, "camera"},
+        {{"render", "builtin:shapes-point", "--image", "dept", "-o", picture}, "depth"},
+        {{"reference", "builtin:cornell", "--component", "diffus1", "-o", picture}, "diffuse1"},
+    };
+    for (const auto& [command, meant] : commands) {
+        const ProcessResult result = run_luxel(command);
+        EXPECT_NE(result.code, 0);
+        EXPECT_NE(result.error.find("did you mean " + meant + "?"), std::string::npos)
+            << ::testing::PrintToString(command) << result.error;
+    }
+}
+
 // Beneath a regular file nobody can make anything, not even root.
 TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
     const TemporaryFolder folder;
@@ -184,11 +211,13 @@ TEST(CommandLine, UnwritableOutputIsCodeSixBeforeAnyWork) {
 
 TEST(CommandLine, HelpAndVersionSucceed) {
     EXPECT_EQ(run_luxel({"--version"}).out, "luxel " LUXEL_VERSION "\n");
-    for (const char* name : {"evaluate", "render", "reference", "diff", "techniques", "info", "views",
-                             "export", "reproduce", "devices"}) {
+    for (const char* name : {"evaluate", "render", "reference", "diff", "techniques", "scenes", "info",
+                             "views", "export", "reproduce", "devices", "experiment"}) {
         const ProcessResult result = run_luxel({name, "--help"});
         EXPECT_EQ(result.code, 0);
         EXPECT_NE(result.out.find("Example"), std::string::npos) << name;
+        for (const char* option : {"--json", "--quiet", "--strict", "--data", "--threads", "--environment "})
+            EXPECT_NE(result.out.find(option), std::string::npos) << name << ' ' << option;
         EXPECT_EQ(result.error, "");
     }
 }
@@ -212,6 +241,8 @@ TEST(CommandLine, InfoTechniquesAndDevicesSpeakJson) {
             EXPECT_TRUE(technique.contains(key)) << key;
     EXPECT_FALSE(techniques.at("frame").empty());
     EXPECT_TRUE(Json::parse(run_luxel({"devices", "--json"}).out).at("devices").is_array());
+    for (const Json& scene : Json::parse(run_luxel({"scenes", "--json"}).out).at("scenes"))
+        EXPECT_TRUE(scene.at("source").get<std::string>().starts_with("builtin:"));
 }
 
 TEST(CommandLine, DrawnViewsServeAsCameras) {
@@ -233,6 +264,79 @@ TEST(CommandLine, DrawnViewsServeAsCameras) {
     EXPECT_EQ(Json::parse(result.out).at("view"), "seed 7 view 3");
     look[11] = "3";
     EXPECT_EQ(run_luxel(look).code, 2);
+}
+
+// Every cell of a column begins where the first one does: a column's text is never cut by its neighbor's.
+TEST(CommandLine, ListsAreColumns) {
+    std::istringstream lines(run_luxel({"scenes"}).out);
+    std::string line;
+    std::size_t column = 0, count = 0;
+    while (std::getline(lines, line)) {
+        const std::size_t gap = line.find("  "), text = line.find_first_not_of(' ', gap);
+        ASSERT_NE(text, std::string::npos) << line;
+        if (count++ == 0) column = text;
+        EXPECT_EQ(text, column) << line;
+    }
+    EXPECT_GT(count, 20u);
+
+    std::istringstream parameters(run_luxel({"techniques"}).out);
+    std::getline(parameters, line);
+    const std::size_t value = line.find("default"), allowed = line.find("allowed"),
+                      meaning = line.find("meaning");
+    std::size_t checked = 0;
+    while (std::getline(parameters, line)) {
+        if (!line.starts_with("  ")) continue; // a technique's heading
+        ++checked;
+        for (const std::size_t start : {value, allowed, meaning}) {
+            EXPECT_EQ(line[start - 1], ' ') << line;
+            EXPECT_NE(line[start], ' ') << line;
+        }
+    }
+    EXPECT_GT(checked, 50u);
+}
+
+TEST(CommandLine, SeveralImagesAreLayersOfOneFile) {
+    const TemporaryFolder out;
+    const std::string file = (out.path() / "layers.exr").string();
+    std::vector<std::string> command = {"render",  "builtin:shapes-point",
+                                        "--size",  "32x24",
+                                        "--image", "depth",
+                                        "--image", "normal",
+                                        "-o",      file,
+                                        "--quiet"};
+    const ProcessResult result = run_luxel(command);
+    ASSERT_EQ(result.code, 0) << result.error;
+    const Layers layers = read_exr(file).layers;
+    ASSERT_TRUE(layers.count("depth") && layers.count("normal") && layers.count("mask"));
+    EXPECT_EQ(layers.at("depth").channels, 1);
+    EXPECT_EQ(layers.at("normal").channels, 4);
+
+    // A PNG holds one, and an EXR's layers are of one size.
+    command[9] = (out.path() / "layers.png").string();
+    expect_refused(run_luxel(command), 2);
+    command[9] = file;
+    command[7] = "isr patches";
+    command.insert(command.end(), {"--use", "isr"});
+    expect_refused(run_luxel(command), 2);
+}
+
+TEST(CommandLine, RenderUnrollsCubesAndShowsTwoChannels) {
+    const TemporaryFolder out;
+    const std::string file = (out.path() / "image.exr").string();
+    const auto render = [&](const std::string& use, const std::string& image) {
+        const ProcessResult result = run_luxel({"render", "builtin:glass-sphere", "--size", "32x24", "--use",
+                                                use, "--image", image, "-o", file, "--quiet"});
+        EXPECT_EQ(result.code, 0) << result.error;
+        const Layers layers = read_exr(file).layers;
+        return layers.count("") ? layers.at("") : Image();
+    };
+    const Image cube = render("distance_map:size=64", "distance_map 0 cube radiance");
+    EXPECT_EQ(cube.width * 3, cube.height * 4);
+    EXPECT_EQ(cube.width, render("distance_map:size=64", "distance_map 0 cube radiance:layer=0").width * 4);
+    const Image ranges = render("distance_map:size=64", "distance_map 0 cube min max:layer=1");
+    EXPECT_EQ(ranges.channels, 3);
+    EXPECT_EQ(ranges.width,
+              render("distance_map:size=64", "distance_map 0 cube min max:layer=1,mip=1").width * 2);
 }
 
 TEST(CommandLine, RenderWritesImagesThatAreSmallerThanTheFrame) {

@@ -24,6 +24,7 @@ void add_render(CLI::App& app, const Global& global);
 void add_reference(CLI::App& app, const Global& global);
 void add_diff(CLI::App& app, const Global& global);
 void add_techniques(CLI::App& app, const Global& global);
+void add_scenes(CLI::App& app, const Global& global);
 void add_info(CLI::App& app, const Global& global);
 void add_views(CLI::App& app, const Global& global);
 void add_export(CLI::App& app, const Global& global);

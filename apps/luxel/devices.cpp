@@ -11,6 +11,7 @@ namespace {
 
 void run(const Global& global) {
     nlohmann::ordered_json json = {{"devices", nlohmann::ordered_json::array()}};
+    std::vector<std::vector<std::string>> lines;
     for (const gpu::DeviceInfo& d : gpu::list_devices()) {
         json["devices"].push_back({{"index", d.index},
                                    {"name", d.name},
@@ -20,13 +21,13 @@ void run(const Global& global) {
                                    {"memory_bytes", d.memory_bytes},
                                    {"usable", d.unsuitable.empty()},
                                    {"unsuitable", d.unsuitable}});
-        if (global.json) continue;
-        fmt::print("{}  {} ({}, {}, Vulkan {}, {:.1f} GiB){}\n", d.index, d.name, d.type, d.driver,
-                   d.api_version, double(d.memory_bytes) / double(1u << 30),
-                   d.unsuitable.empty() ? "" : ": cannot be used: " + d.unsuitable);
+        lines.push_back({fmt::format("{}", d.index), d.name, d.type, d.driver, "Vulkan " + d.api_version,
+                         fmt::format("{:.1f} GiB", double(d.memory_bytes) / double(1u << 30)),
+                         d.unsuitable.empty() ? "" : "cannot be used: " + d.unsuitable});
     }
     if (global.json) return print_json(json);
     if (json["devices"].empty()) fmt::print("no Vulkan device on this machine\n");
+    fmt::print("{}", in_columns(lines));
 }
 
 } // namespace

@@ -116,29 +116,33 @@ std::string lens_text(const Camera& camera) {
 }
 
 void print(const Scene& scene, const Json& json) {
+    std::vector<std::vector<std::string>> lines;
     for (const char* key :
          {"triangles", "meshes", "instances", "materials", "textures", "emissive_triangles"})
-        fmt::print("{:<20}{}\n", key, json[key].get<std::size_t>());
-    fmt::print("{:<20}{}\n", "environment", scene.environment.empty() ? "no" : "yes");
+        lines.push_back({key, fmt::format("{}", json[key].get<std::size_t>())});
+    lines.push_back({"environment", scene.environment.empty() ? "no" : "yes"});
     const Bounds bounds = scene.bounds();
-    fmt::print("{:<20}{} to {} m\n", "bounds", place_text(scene, bounds.least),
-               place_text(scene, bounds.most));
+    lines.push_back({"bounds", fmt::format("{} to {} m", place_text(scene, bounds.least),
+                                           place_text(scene, bounds.most))});
     if (scene.origin != glm::dvec3(0.0))
-        fmt::print(
-            "{:<20}computed about ({:.10g}, {:.10g}, {:.10g}), which is subtracted from all positions\n",
-            "origin", scene.origin.x, scene.origin.y, scene.origin.z);
+        lines.push_back(
+            {"origin", fmt::format("computed about ({:.10g}, {:.10g}, {:.10g}), which is subtracted "
+                                   "from all positions",
+                                   scene.origin.x, scene.origin.y, scene.origin.z)});
     for (const shared::Light& light : scene.lights)
-        fmt::print("{:<20}{} at {} toward {}, intensity {}\n", "light", light_type(light),
-                   place_text(scene, light.position), text_of(light.direction), text_of(light.intensity));
+        lines.push_back({"light", light_type(light), "at " + place_text(scene, light.position),
+                         "toward " + text_of(light.direction), "intensity " + text_of(light.intensity)});
     for (const Camera& camera : scene.cameras)
-        fmt::print("{:<20}'{}' at {} toward {}, {}\n", "camera", camera.name,
-                   place_text(scene, camera.position), text_of(camera.forward), lens_text(camera));
+        lines.push_back({"camera", "'" + camera.name + "'", "at " + place_text(scene, camera.position),
+                         "toward " + text_of(camera.forward), lens_text(camera)});
     for (const ImpostorObject& object : impostor_objects(scene)) {
         const Impostor& i = object.impostor;
         const bool cloud = i.kind == ImpostorKind::billboard_cloud;
-        fmt::print("{:<20}{} for '{}', {} texels, error {} {}\n", "impostor", impostor_kind(i.kind),
-                   object.name, i.size, cloud ? i.distance : i.error, cloud ? "m" : "pixels");
+        lines.push_back({"impostor", impostor_kind(i.kind), "'" + object.name + "'",
+                         fmt::format("{} texels", i.size),
+                         fmt::format("error {} {}", cloud ? i.distance : i.error, cloud ? "m" : "pixels")});
     }
+    fmt::print("{}", in_columns(lines));
 }
 
 void run(const std::string& source, const Global& global) {
@@ -156,11 +160,8 @@ void add_info(CLI::App& app, const Global& global) {
     auto source = std::make_shared<std::string>();
     CLI::App* command =
         app.add_subcommand("info", "Say what is in a scene: triangles, materials, lights, cameras");
-    std::string names;
-    for (const BuiltinScene& scene : builtin_scenes())
-        names += fmt::format("\n  builtin:{:<18}{}", scene.name, scene.meaning);
     command->add_option("scene", *source, "builtin:NAME, .gltf, .glb, .obj or .toml")->required();
-    command->footer("Built-in scenes:" + names + "\nExample: luxel info builtin:cornell --json");
+    command->footer("Example: luxel info builtin:cornell --json; luxel scenes lists the built-in ones");
     command->callback([source, &global] { run(*source, global); });
 }
 

@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "core/error.h"
+#include "help.h"
 #include "scene/load.h"
 
 namespace {
@@ -20,24 +21,6 @@ int report(Fault fault, const std::string& sentence) {
     std::fflush(stdout);
     fmt::print(stderr, "luxel: {}\n", sentence);
     return static_cast<int>(fault);
-}
-
-// CLI11's messages end in a hint of their own and may span lines.
-std::string one_line(std::string text) {
-    for (char& c : text)
-        if (c == '\n') c = ' ';
-    return text.substr(0, text.find_last_not_of(' ') + 1);
-}
-
-// CLI11 itself would say that a subcommand is missing.
-void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
-    std::string known;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        if (command->get_name() == argv[1]) return;
-        known += (known.empty() ? "" : ", ") + command->get_name();
-    }
-    luxel::fail(Fault::usage, "command line: no subcommand '{}'; known are {}", argv[1], known);
 }
 
 constexpr const char* footer =
@@ -60,7 +43,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     app.footer(footer);
-    app.get_formatter()->column_width(34);
+    app.formatter(luxel::app::make_formatter());
     app.add_flag("--strict", global.strict, "A substitute (a missing texture) is an error, not a warning");
     app.add_flag("--quiet", global.quiet, "No progress on stderr");
     app.add_flag("--json", global.json, "Print figures as JSON");
@@ -100,7 +83,7 @@ int run(int argc, char** argv) {
 
     using namespace luxel::app;
     for (auto add : {add_evaluate, add_experiment, add_render, add_reference, add_diff, add_techniques,
-                     add_info, add_views, add_export, add_reproduce, add_devices})
+                     add_scenes, add_info, add_views, add_export, add_reproduce, add_devices})
         add(app, global);
     require_known_subcommand(app, argc, argv);
     try {
@@ -108,7 +91,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& done) { // --help, --version
         return app.exit(done);
     } catch (const CLI::ParseError& e) {
-        return report(Fault::usage, "command line: " + one_line(e.what()) + " (--help lists what there is)");
+        return report(Fault::usage, sentence_of(app, e));
     }
     return 0;
 }

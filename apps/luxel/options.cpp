@@ -104,6 +104,22 @@ Scene load(const std::string& source, const Global& global) {
     return scene;
 }
 
+std::string in_columns(const std::vector<std::vector<std::string>>& lines) {
+    std::vector<std::size_t> widths;
+    for (const auto& line : lines) {
+        widths.resize(std::max(widths.size(), line.size()));
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+    }
+    std::string text;
+    for (const auto& line : lines) {
+        std::string row;
+        for (std::size_t i = 0; i < line.size(); ++i)
+            row += i + 1 < line.size() ? fmt::format("{:<{}}", line[i], widths[i] + 2) : line[i];
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
 void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", dump(json)); }
 
 void check_picture_output(const std::string& file) {

@@ -49,6 +49,10 @@ LoadOptions load_options(const Global& global);
 // Loaded under --strict, warnings printed.
 Scene load(const std::string& source, const Global& global);
 
+// Lines of cells: each column is two spaces wider than its widest cell, but the last cell of a line goes on
+// as it is, so that a heading of one cell widens nothing.
+std::string in_columns(const std::vector<std::vector<std::string>>& lines);
+
 void print_json(const nlohmann::ordered_json& json);
 
 // Writes by the file's ending: .exr as radiance, .png as display values under `exposure` (0: from the image

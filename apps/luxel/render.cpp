@@ -2,6 +2,8 @@
 // luxel render: one view in real time.
 #include <cstdio>
 
+#include <fmt/ranges.h>
+
 #include "core/error.h"
 #include "experiments/evaluation.h"
 #include "experiments/memory_budget.h"
@@ -17,7 +19,8 @@ namespace luxel::app {
 namespace {
 
 struct Options {
-    std::string scene, output, use, size = "640x480", view = "0", cameras, frame, device, image;
+    std::string scene, output, use, size = "640x480", view = "0", cameras, frame, device;
+    std::vector<std::string> images;
     float exposure = 0;
     int frames = 1;
 };
@@ -43,7 +46,7 @@ Rendered render(const Scene& scene, const Options& o, const FrameOptions& frame,
     request.camera = out.camera;
     request.width = size.width, request.height = size.height;
     for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
-    if (!o.image.empty()) request.images = {o.image};
+    request.images = o.images;
 
     // What techniques remember of the warm-up is thrown away with their row.
     if (o.frames > 1) {
@@ -69,6 +72,33 @@ std::string time_sentence(const FrameTime& time, int frames) {
                        frames, time.least, time.most);
 }
 
+// PNG and EXR have no images of two channels: those are red and green.
+Image colored(const Image& image) {
+    if (image.channels != 2) return image;
+    Image out(image.width, image.height, 3);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) out.set_rgb(x, y, {image.at(x, y)[0], image.at(x, y)[1], 0.0f});
+    return out;
+}
+
+void write(const Options& o, const RenderResult& result, const std::map<std::string, std::string>& metadata) {
+    Layers layers;
+    for (const std::string& name : o.images)
+        layers[o.images.size() > 1 ? name : ""] = colored(result.images.at(name));
+    if (layers.empty()) layers[""] = result.radiance;
+    const auto& [first_name, picture] = *layers.begin();
+    for (const auto& [name, image] : layers)
+        if (image.width != picture.width || image.height != picture.height)
+            fail(Fault::usage, "--image {}: it is {}x{} where {} is {}x{}; write it to a file of its own",
+                 name, image.width, image.height, first_name, picture.width, picture.height);
+    // Images of another size than the frame's have no mask.
+    const bool masked = picture.width == result.mask.width && picture.height == result.mask.height;
+    const Image mask = masked ? result.mask : Image(picture.width, picture.height, 1, 1.0f);
+    const Image shown = picture;
+    layers["mask"] = mask;
+    write_picture(o.output, layers, shown, mask, o.exposure, metadata);
+}
+
 void run(const Options& o, const Global& global) {
     const Size size = parse_size(o.size);
     require_memory(size.width, size.height, 0);
@@ -76,19 +106,17 @@ void run(const Options& o, const Global& global) {
     FrameOptions frame;
     set_parameters(frame, "--frame", parse_values("--frame", o.frame));
     check_picture_output(o.output);
+    if (o.images.size() > 1 && !o.output.ends_with(".exr"))
+        fail(Fault::usage, "{}: several --image are layers of one file, which .exr alone can hold", o.output);
 
     const Scene scene = load(o.scene, global);
     const Rendered rendered = render(scene, o, frame, row);
     const RenderResult& result = rendered.last;
     print_warnings(result.warnings);
-    const Image& picture = o.image.empty() ? result.radiance : result.images.at(o.image);
-    // Images of another size than the frame's have no mask.
-    const bool masked = picture.width == result.mask.width && picture.height == result.mask.height;
-    const Image mask = masked ? result.mask : Image(picture.width, picture.height, 1, 1.0f);
     Attributes attributes = attributes_of(scene, o.scene, rendered.camera, &frame);
     add_frame(attributes, row.label, frame);
-    if (!o.image.empty()) attributes["luxel.image"] = o.image;
-    write_picture(o.output, {{"", picture}, {"mask", mask}}, picture, mask, o.exposure, attributes);
+    if (!o.images.empty()) attributes["luxel.image"] = fmt::format("{}", fmt::join(o.images, ", "));
+    write(o, result, attributes);
 
     const FrameTime& time = rendered.time;
     nlohmann::ordered_json json = {{"scene", o.scene},
@@ -126,7 +154,11 @@ void add_render(CLI::App& app, const Global& global) {
     command->add_option("--size", o->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--frame", o->frame, "key=value,... of the frame; see luxel techniques");
     command->add_option("--device", o->device, "GPU by number or part of its name; see luxel devices");
-    command->add_option("--image", o->image, "Write this intermediate image instead, e.g. depth, normal");
+    command
+        ->add_option("--image", o->images,
+                     "Write this intermediate image instead, e.g. depth, normal, 'photon flux:mip=2'; may be "
+                     "repeated for layers of an .exr")
+        ->allow_extra_args(false);
     add_exposure_option(*command, o->exposure);
     command
         ->add_option(
@@ -134,7 +166,10 @@ void add_render(CLI::App& app, const Global& global) {
             "Timed frames, of which the median counts and the last is written; above 1 after warm-up")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    command->footer("Example: luxel render builtin:cornell --use isr:samples=80 -o picture.png");
+    command->footer("Cubes and layers of an image are unrolled; NAME:layer=2 or NAME:mip=1 is one of them.\n"
+                    "An unknown name is answered by the list of all.\n"
+                    "Examples: luxel render builtin:cornell --use isr:samples=80 -o picture.png\n"
+                    "          luxel render builtin:cornell --image depth --image normal -o surfaces.exr");
     command->callback([o, &global] { run(*o, global); });
 }
 

@@ -24,14 +24,17 @@ Json describe(const std::vector<ParameterInfo>& parameters) {
     return json;
 }
 
-void print(const std::vector<ParameterInfo>& parameters) {
-    for (const ParameterInfo& p : parameters)
-        fmt::print("  {:<22}{} (default {}{}{})\n", p.name, p.meaning, p.value, p.allowed.empty() ? "" : "; ",
-                   p.allowed);
+// A heading and its parameters.
+using Lines = std::vector<std::vector<std::string>>;
+void add_lines(Lines& lines, const std::string& heading, const std::vector<ParameterInfo>& parameters) {
+    lines.push_back({""});
+    lines.push_back({heading});
+    for (const ParameterInfo& p : parameters) lines.push_back({"  " + p.name, p.value, p.allowed, p.meaning});
 }
 
 void run(const Global& global) {
     Json json = {{"techniques", Json::array()}};
+    Lines lines = {{"  parameter", "default", "allowed", "meaning"}};
     for (const TechniqueInfo& info : all_techniques()) {
         const std::unique_ptr<Technique> technique = info.make();
         const std::vector<ParameterInfo> parameters = parameters_of(*technique);
@@ -39,15 +42,14 @@ void run(const Global& global) {
                                       {"slot", slot_name(info.slot)},
                                       {"summary", info.summary},
                                       {"parameters", describe(parameters)}});
-        if (global.json) continue;
-        fmt::print("{} ({}): {}\n", info.name, slot_name(info.slot), info.summary);
-        print(parameters);
+        add_lines(lines, fmt::format("{} ({}): {}", info.name, slot_name(info.slot), info.summary),
+                  parameters);
     }
     FrameOptions frame;
     json["frame"] = describe(parameters_of(frame));
+    add_lines(lines, "--frame: what every technique is built on", parameters_of(frame));
     if (global.json) return print_json(json);
-    fmt::print("--frame: what every technique is built on\n");
-    print(parameters_of(frame));
+    fmt::print("{}", in_columns(lines));
 }
 
 } // namespace

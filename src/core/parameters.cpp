@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "core/closest.h"
 #include "core/error.h"
 
 namespace luxel {
@@ -79,7 +80,9 @@ public:
         const std::string* text = given(name);
         if (!text) return;
         const auto option = std::find(options.begin(), options.end(), *text);
-        if (option == options.end()) refuse(name, *text, fmt::format("one of {}", fmt::join(options, ", ")));
+        if (option == options.end())
+            refuse(name, *text,
+                   fmt::format("one of {}{}", fmt::join(options, ", "), did_you_mean(*text, options)));
         value = int(option - options.begin());
     }
 
@@ -147,7 +150,7 @@ void set(void* object, Visit visit, std::string_view owner,
     for (const auto& [name, value] : values) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         if (known.empty()) fail(Fault::usage, "{}: no parameter {}; it has none", owner, name);
-        fail(Fault::usage, "{}: no parameter {}; known are {}", owner, name, fmt::join(known, ", "));
+        fail(Fault::usage, "{}: no parameter {}; {}", owner, name, known_are(name, known));
     }
     Setter setter(owner, values);
     visit(object, setter);

@@ -65,10 +65,14 @@ TEST(Parameters, EveryTypeIsSet) {
 }
 
 TEST(Parameters, RefusalsSayWhatIsAllowed) {
-    EXPECT_EQ(refusal({{"sample", "3"}}),
-              "isr: no parameter sample; known are radius, samples, blur, label, mode");
+    EXPECT_EQ(
+        refusal({{"sample", "3"}}),
+        "isr: no parameter sample; known are radius, samples, blur, label, mode; did you mean samples?");
     EXPECT_EQ(refusal({{"samples", "0"}}),
               "isr: parameter samples cannot be \"0\"; it is an integer from 1 to 256");
+    EXPECT_EQ(
+        refusal({{"mode", "tesis"}}),
+        "isr: parameter mode cannot be \"tesis\"; it is one of thesis, calibrated; did you mean thesis?");
     EXPECT_EQ(refusal({{"mode", "x"}}),
               "isr: parameter mode cannot be \"x\"; it is one of thesis, calibrated");
     for (const char* wrong : {"", "1x", "nan", "inf", "0.05", "2.1", " 1"})

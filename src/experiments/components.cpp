@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
+#include "core/closest.h"
 #include "core/error.h"
 #include "reference/reference.h"
 
@@ -34,8 +35,7 @@ std::vector<std::string> parse_components(std::string_view text) {
         begin = end + 1;
 
         if (std::find(component_names.begin(), component_names.end(), name) == component_names.end())
-            fail(Fault::usage, "component: '{}' is unknown; known: {}", name,
-                 fmt::join(component_names, ", "));
+            fail(Fault::usage, "component: '{}' is unknown; {}", name, known_are(name, component_names));
         for (const std::string& part : parts_of(name))
             if (!seen.insert(part).second)
                 fail(Fault::usage, "component: '{}' counts the same light twice ({})", text, part);

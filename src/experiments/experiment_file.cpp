@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/closest.h"
 #include "core/error.h"
 #include "experiments/components.h"
 #include "experiments/judge.h"
@@ -52,9 +53,10 @@ std::string existing_file(const Section& section, std::string_view key, const st
 std::string scene_file(const Section& section, const std::string& source, const Roots& roots) {
     if (!source.starts_with("builtin:")) return existing_file(section, "source", source, roots);
     if (is_builtin_scene(source.substr(8))) return source;
-    std::string known;
-    for (const BuiltinScene& scene : builtin_scenes()) known += (known.empty() ? "" : ", ") + scene.name;
-    section.reject("source", fmt::format("no scene \"{}\"; known are {}", printable(source), known));
+    std::vector<std::string> known;
+    for (const BuiltinScene& scene : builtin_scenes()) known.push_back(scene.name);
+    section.reject("source",
+                   fmt::format("no scene \"{}\"; {}", printable(source), known_are(source.substr(8), known)));
 }
 
 void set_size(Section& section, ViewGroup& group) {

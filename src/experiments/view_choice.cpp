@@ -4,8 +4,9 @@
 #include <cctype>
 #include <set>
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
+#include "core/closest.h"
 #include "core/error.h"
 #include "scene/camera_file.h"
 #include "scene/views.h"
@@ -44,7 +45,7 @@ std::vector<Camera> chosen_of(std::vector<Camera> all, const ViewChoice& choice)
         if (!camera) {
             std::vector<std::string> known;
             for (const Camera& c : all) known.push_back(c.name);
-            fail(Fault::usage, "--view {}: no such view; known: {}", name, fmt::join(known, ", "));
+            fail(Fault::usage, "--view {}: no such view; {}", name, known_are(name, known));
         }
         chosen.push_back(*camera);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/closest.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/progress.h"
@@ -46,8 +47,8 @@ void check(const ReferenceRequest& request) {
         fail(Fault::usage, "reference: no component asked for; known: {}", fmt::join(component_names, ", "));
     for (const std::string& name : request.components)
         if (!contains(component_names, name))
-            fail(Fault::usage, "reference: unknown component \"{}\"; known: {}", name,
-                 fmt::join(component_names, ", "));
+            fail(Fault::usage, "reference: unknown component \"{}\"; {}", name,
+                 known_are(name, component_names));
     if (contains(request.components, "photon_bias") && !contains(request.components, "full") &&
         !contains(request.components, "specular"))
         fail(Fault::usage,

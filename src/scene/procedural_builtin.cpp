@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/closest.h"
 #include "core/error.h"
 #include "scene/load.h"
 #include "scene/procedural.h"
@@ -130,10 +131,10 @@ Scene builtin_scene(const std::string& name) {
         scene.name = name;
         return scene;
     }
-    std::string known;
-    for (const Entry& entry : entries) known += (known.empty() ? "" : ", ") + entry.name;
-    fail(Fault::bad_input,
-         "builtin:{}: no such scene; known are {}, each also with -x4, -x16 or -x64 appended", name, known);
+    std::vector<std::string> known;
+    for (const Entry& entry : entries) known.push_back(entry.name);
+    fail(Fault::bad_input, "builtin:{}: no such scene; each also with -x4, -x16 or -x64 appended, {}", name,
+         known_are(name, known));
 }
 
 bool is_builtin_scene(const std::string& name) { return bool(parse(name, base_entries()).make); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closest.h"
 #include "core/file.h"
 #include "scene/camera_file.h"
 #include "scene/environment.h"
@@ -166,8 +167,8 @@ PlacedLight read_light(Section& section) {
     else if (type == "directional")
         light.type = shared::LIGHT_DIRECTIONAL;
     else
-        section.reject(
-            "type", fmt::format("unknown type \"{}\"; known are point, spot, directional", printable(type)));
+        section.reject("type", fmt::format("unknown type \"{}\"; {}", printable(type),
+                                           known_are(type, {"point", "spot", "directional"})));
 
     // Only what the type knows is asked for, so that anything else is reported.
     light.intensity = section.required_triple("intensity", 0, bright, true);

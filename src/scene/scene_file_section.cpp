@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closest.h"
 #include "core/file.h"
 #include "scene/printable.h"
 
@@ -226,9 +227,8 @@ std::string Section::required_text(std::string_view key) {
 void Section::finish() const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-        std::string list;
-        for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
-        reject(key.str(), fmt::format("unknown key \"{}\"; known are {}", printable(key.str()), list));
+        reject(key.str(),
+               fmt::format("unknown key \"{}\"; {}", printable(key.str()), known_are(key.str(), known_)));
     }
 }
 

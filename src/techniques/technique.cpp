@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/closest.h"
 #include "core/error.h"
 
 namespace luxel {
@@ -31,10 +32,10 @@ std::unique_ptr<Technique> make_technique(const Specification& specification) {
     auto found =
         std::find_if(known.begin(), known.end(), [&](const auto& t) { return t.name == specification.name; });
     if (found == known.end()) {
-        std::string names;
-        for (const TechniqueInfo& t : known) names += (names.empty() ? "" : ", ") + t.name;
-        fail(Fault::usage, "{}: no such technique; known are: {}", specification.name,
-             names.empty() ? "none" : names);
+        std::vector<std::string> names;
+        for (const TechniqueInfo& t : known) names.push_back(t.name);
+        fail(Fault::usage, "{}: no such technique; {}", specification.name,
+             known_are(specification.name, names));
     }
     std::unique_ptr<Technique> technique = found->make();
     set_parameters(*technique, specification.name, specification.values);

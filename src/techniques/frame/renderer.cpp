@@ -2,9 +2,6 @@
 #include "techniques/frame/renderer.h"
 
 #include <algorithm>
-#include <set>
-
-#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "scene/lights.h"
@@ -15,6 +12,7 @@
 #include "techniques/frame/compose_params.h"
 #include "techniques/frame/direct_light.h"
 #include "techniques/frame/impostors.h"
+#include "techniques/frame/named_image.h"
 #include "techniques/frame/object_depth.h"
 #include "techniques/frame/projection.h"
 
@@ -138,17 +136,6 @@ gpu::Image accessibility_of(const std::vector<Contribution>& contributions) {
     auto found = std::find_if(contributions.begin(), contributions.end(),
                               [](const Contribution& c) { return bool(c.accessibility); });
     return found == contributions.end() ? gpu::Image() : found->accessibility;
-}
-
-// The last image of that name that the frame or a technique made.
-gpu::Image find_image(const gpu::Recorder& recorder, const std::string& name) {
-    const std::vector<gpu::Image>& made = recorder.images();
-    auto found =
-        std::find_if(made.rbegin(), made.rend(), [&](const gpu::Image& i) { return i.name() == name; });
-    if (found != made.rend()) return *found;
-    std::set<std::string> known;
-    for (const gpu::Image& image : made) known.insert(image.name());
-    fail(Fault::usage, "{}: the frame has no such image; it has: {}", name, fmt::join(known, ", "));
 }
 
 } // namespace
@@ -349,7 +336,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
     result.mask = mask_of(depth, samples);
     if (accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)
-        result.images[name] = d.gpu.read(find_image(recorder, name));
+        result.images[name] = read_named_image(d.gpu, recorder.images(), name);
     return result;
 }
 
