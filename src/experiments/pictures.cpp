@@ -55,6 +55,24 @@ Image error_map(const Image& shown_reference, const Image& shown, const Image& m
     });
 }
 
+Image signed_map(const Image& shown_reference, const Image& shown, const Image& mask) {
+    return map_pixels(mask, [&](int x, int y) {
+        const glm::vec3 d = shown.rgb(x, y) - shown_reference.rgb(x, y);
+        return gradient(change_colors, 0.5f - 0.5f * (d.r + d.g + d.b) / 3.0f / float(signed_scale));
+    });
+}
+
+Image flip_picture(const Image& flip, const Image& mask) {
+    return map_pixels(
+        mask, [&](int x, int y) { return gradient(error_colors, flip.at(x, y)[0] / float(flip_scale)); });
+}
+
+Image bright_picture(const Image& radiance, float exposure) {
+    const bool cut = std::any_of(radiance.data.begin(), radiance.data.end(),
+                                 [&](float value) { return value * exposure > 1.0f; });
+    return cut ? display(radiance, exposure / float(bright_scale)) : Image();
+}
+
 Image change_map(const Image& shown_reference, const Image& shown_baseline, const Image& shown,
                  const Image& mask) {
     return map_pixels(mask, [&](int x, int y) {

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "core/image.h"
-#include "scene/povray/povray.h"
+#include "scene/export/povray/povray.h"
 
 namespace luxel {
 

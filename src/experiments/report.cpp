@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/report.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <map>
 
+#include "core/error.h"
 #include "experiments/json_text.h"
 #include "experiments/pictures.h"
 
@@ -35,25 +38,47 @@ std::string html_safe(const std::string& text) {
     return safe;
 }
 
+std::string_view part(std::string_view name) {
+    const auto files = text_files();
+    const auto found =
+        std::find_if(files.begin(), files.end(), [&](const TextFile& f) { return f.name == name; });
+    LUXEL_ASSERT(found != files.end(), "{} is not embedded", name);
+    return found->text;
+}
+
+// What depends on what comes first.
+constexpr std::array scripts = {"base.js",   "tables.js", "charts.js", "stage.js",
+                                "viewer.js", "link.js",   "page.js"};
+
 } // namespace
 
 std::string report_page(const nlohmann::ordered_json& results, const nlohmann::ordered_json& pictures) {
-    const nlohmann::ordered_json scales = {{"error", error_scale}, {"change", change_scale}};
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-    page += "<title>luxel: " + html_safe(results.at("name").get<std::string>()) + "</title>\n<style>\n";
-    page += report_style();
-    page += "</style>\n</head>\n<body>\n<main id=\"page\"><noscript>This report draws its tables and "
-            "pictures with "
-            "JavaScript; the same figures are in results.json beside it.</noscript></main>\n<script>\n";
-    page += "\"use strict\";\nconst results = " + script_safe(results) + ";\n";
-    page += "const pictures = " + script_safe(pictures) + ";\n";
-    page += "const scales = " + script_safe(scales) + ";\n";
-    page += report_script();
-    page += report_charts();
-    page += report_viewer();
-    page += "</script>\n</body>\n</html>\n";
-    return page;
+    const nlohmann::ordered_json scales = {{"error", error_scale},
+                                           {"signed", signed_scale},
+                                           {"flip", flip_scale},
+                                           {"change", change_scale},
+                                           {"bright", bright_scale}};
+    std::string script;
+    for (const char* name : scripts) script += part(name);
+    const std::map<std::string_view, std::string> fields = {
+        {"title", html_safe(results.at("name").get<std::string>())},
+        {"style", std::string(part("style.css"))},
+        {"results", script_safe(results)},
+        {"pictures", script_safe(pictures)},
+        {"scales", script_safe(scales)},
+        {"script", std::move(script)}};
+
+    // {{name}} in the page is a field; what a field holds is not searched for further ones.
+    std::string page;
+    std::string_view rest = part("page.html");
+    for (std::size_t begin; (begin = rest.find("{{")) != rest.npos;) {
+        const std::size_t end = rest.find("}}", begin);
+        LUXEL_ASSERT(end != rest.npos, "page.html: {}", rest.substr(begin, 20));
+        page += rest.substr(0, begin);
+        page += fields.at(rest.substr(begin + 2, end - begin - 2));
+        rest.remove_prefix(end + 2);
+    }
+    return page += rest;
 }
 
 } // namespace luxel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The self-contained page of an evaluation: everything inline, nothing fetched.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,13 +9,13 @@
 
 namespace luxel {
 
-// results: as in results.json. pictures: per scene, per view {reference, rows: [{image, error, change}]} as
-// data URIs, or null.
+// results: as in results.json. pictures: per scene, per view what page_view() makes, or null.
 std::string report_page(const nlohmann::ordered_json& results, const nlohmann::ordered_json& pictures);
 
-// The page's parts, in files of their own.
-std::string_view report_style();
-std::string_view report_script(); // data, state and tables
-std::string_view report_charts();
-std::string_view report_viewer(); // pictures side by side and under a slider; the page put together
+// The page's parts, the files in report/, which the build embeds (cmake/luxel.cmake).
+struct TextFile {
+    std::string_view name, text;
+};
+std::span<const TextFile> text_files();
+
 } // namespace luxel

@@ -10,6 +10,7 @@
 #include "core/metrics.h"
 #include "experiments/json_text.h"
 #include "experiments/page_pictures.h"
+#include "experiments/page_view.h"
 #include "experiments/picture_settings.h"
 #include "experiments/pictures.h"
 #include "experiments/report.h"
@@ -20,10 +21,6 @@
 namespace luxel {
 
 namespace {
-
-// Small copies bear less of a closer look.
-constexpr int large_width = 640;
-constexpr int photo_quality = 88, map_quality = 80, small_quality = 75;
 
 std::map<std::string, std::string> exr_metadata(const ViewPictures& p, const std::string& what) {
     return {{attribute::version, LUXEL_VERSION},
@@ -73,20 +70,7 @@ nlohmann::ordered_json PictureFiles::add(const SceneEntry& entry, const ViewPict
                   file_name_of(p.result.camera.name),
               p);
 
-    const bool small = page_width_ < large_width;
-    const auto uri = [&](const Image& image, int quality) {
-        return jpeg_uri(shrink(image, page_width_), small ? small_quality : quality);
-    };
-    nlohmann::ordered_json page = {{"reference", uri(p.target.shown, photo_quality)},
-                                   {"rows", nlohmann::ordered_json::array()}};
-    for (const Candidate& row : p.rows) {
-        const Image error = error_map(p.target.shown, row.shown, p.target.mask);
-        const Image change = change_map(p.target.shown, p.rows[0].shown, row.shown, p.target.mask);
-        page["rows"].push_back({{"image", uri(row.shown, photo_quality)},
-                                {"error", uri(error, map_quality)},
-                                {"change", uri(change, map_quality)}});
-    }
-    return page;
+    return page_view(p, page_width_);
 }
 
 void write_results(const std::filesystem::path& folder, const ExperimentResult& result) {

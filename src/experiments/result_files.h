@@ -16,7 +16,7 @@ class PictureFiles {
 public:
     PictureFiles(std::filesystem::path folder, const Experiment& experiment);
     // By the experiment's picture mode, the view's images go to images/VIEW, or images/SCENE/VIEW where there
-    // are several scenes. Returns small copies for the page, {reference, rows: [{image, error, change}]}, or
+    // are several scenes. Returns small copies for the page, see page_view.h, or
     // null.
     nlohmann::ordered_json add(const SceneEntry& entry, const ViewPictures& pictures) const;
 

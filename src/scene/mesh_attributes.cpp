@@ -46,13 +46,19 @@ void make_flat(Mesh& mesh) {
         mesh.normals[i] = mesh.normals[i + 1] = mesh.normals[i + 2] = unit_or_up(area_normal(mesh, i));
 }
 
+glm::vec3 as_unit(glm::vec3 v) {
+    constexpr double rounding = 1e-7; // of each component half a unit in the last place, 3e-8
+    const double length = glm::length(glm::dvec3(v));
+    return std::abs(length - 1.0) < rounding ? v : glm::vec3(glm::dvec3(v) / length);
+}
+
 int repair_normals(Mesh& mesh) {
     constexpr double shortest = 1e-6;
     int broken = 0;
     for (glm::vec3& n : mesh.normals) {
         const double length = glm::length(glm::dvec3(n));
         const bool sound = length > shortest && std::isfinite(length);
-        n = sound ? glm::vec3(glm::dvec3(n) / length) : glm::vec3(0.0f);
+        n = sound ? as_unit(n) : glm::vec3(0.0f);
         broken += !sound;
     }
     if (broken == 0) return 0;

@@ -9,6 +9,10 @@ namespace luxel {
 // One normal per face: vertices are no longer shared between triangles. Needs valid indices.
 void make_flat(Mesh& mesh);
 
+// Of length 1, `v` not of length 0. What is so to the rounding of floats stays as it is: a scene that was
+// written and is read again is the same to the bit.
+glm::vec3 as_unit(glm::vec3 v);
+
 // Makes normals unit length; those of no length or not finite become the mean of the faces around their
 // vertex, by area, and are counted.
 int repair_normals(Mesh& mesh);

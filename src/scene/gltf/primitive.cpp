@@ -129,7 +129,7 @@ void complete_tangents(Document& document, Mesh& mesh, const TextureUse& normal_
         mesh.tangents.clear();
     } else if (usable(mesh.tangents)) {
         for (glm::vec4& t : mesh.tangents)
-            t = glm::vec4(glm::normalize(glm::vec3(t)), t.w < 0.0f ? -1.0f : 1.0f);
+            t = glm::vec4(as_unit(glm::vec3(t)), t.w < 0.0f ? -1.0f : 1.0f);
     } else {
         document.charge(mesh.indices.size(), tangent_bytes_per_corner);
         make_tangents(mesh, normal_texture.set, normal_texture.transform);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The file as a whole: settings, camera, lights, sky, materials, meshes, objects.
-#include "scene/povray/povray.h"
-
-#include <algorithm>
-#include <cctype>
+#include "scene/export/povray/povray.h"
 
 #include "core/file.h"
-#include "scene/povray/text.h"
+#include "scene/export/povray/text.h"
 #include "scene/printable.h"
 
 namespace luxel {
@@ -41,8 +38,6 @@ void add_camera(Export& out, const Camera& camera, int width, int height) {
             vector(b.position), vector(b.forward), vector(b.right * 2.0f), vector(b.up * 2.0f));
 }
 
-bool emits(const Material& material) { return material.emission != glm::vec3(0.0f); }
-
 void add_objects(Export& out) {
     const Scene& scene = out.scene;
     for (const Instance& instance : scene.instances) {
@@ -60,48 +55,32 @@ void add_objects(Export& out) {
     }
 }
 
-std::string file_stem(const std::filesystem::path& file) {
-    std::string stem = file.stem().string().substr(0, 80);
-    for (char& c : stem)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
-    return stem;
-}
-
 } // namespace
-
-void Export::note(const std::string& sentence) {
-    if (std::find(approximated.begin(), approximated.end(), sentence) == approximated.end())
-        approximated.push_back(sentence);
-}
 
 } // namespace povray
 
 std::vector<std::string> write_povray(const std::filesystem::path& file, const Scene& scene,
                                       const Camera& camera, int width, int height,
                                       const PovraySettings& settings) {
-    povray::Export out{scene, settings, file.parent_path(), povray::file_stem(file), "", {}};
+    povray::Export out{{scene, file}, settings};
     povray::add_settings(out);
     povray::add_camera(out, camera, width, height);
     povray::add_lights(out);
     if (!scene.environment.empty()) povray::add_sky(out);
 
-    // Only what is drawn: a file may hold more than its scene shows.
-    std::vector<bool> mesh_used(scene.meshes.size()), material_used(scene.materials.size());
-    for (const Instance& instance : scene.instances) {
-        mesh_used[std::size_t(instance.mesh)] = true;
-        material_used[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)] = true;
-    }
+    const UsedParts used = used_parts(scene);
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (material_used[i]) povray::declare_material(out, i);
+        if (used.materials[i]) povray::declare_material(out, i);
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-        if (mesh_used[i]) povray::declare_mesh(out, i);
+        if (used.meshes[i]) povray::declare_mesh(out, i);
     povray::add_objects(out);
 
     std::string head = "// " + ascii(scene.name) + ", exported by luxel; render with: povray +I" + out.stem +
                        fmt::format(".pov +W{} +H{} -A +FE\n", width, height);
-    for (const std::string& sentence : out.approximated) head += "// approximated: " + sentence + "\n";
+    const std::vector<std::string> approximated = out.approximated();
+    for (const std::string& sentence : approximated) head += "// approximated: " + sentence + "\n";
     write_file(file, head + out.text);
-    return out.approximated;
+    return approximated;
 }
 
 } // namespace luxel

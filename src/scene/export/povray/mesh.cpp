@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/image.h"
-#include "scene/povray/text.h"
+#include "scene/export/povray/text.h"
 
 namespace luxel::povray {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "scene/environment.h"
+#include "scene/export/povray/text.h"
 #include "scene/lights.h"
-#include "scene/povray/text.h"
 #include "shared/sampling.h"
 
 namespace luxel::povray {

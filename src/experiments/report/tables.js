@@ -1,47 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report's data, state and tables. Text goes in as text nodes only: names come from scene files.
-#include "experiments/report.h"
-
-namespace luxel {
-
-std::string_view report_script() {
-    return R"js(
-const colors = ["#8a93a1", "#2457d6", "#d9730d", "#12805c", "#8b3fc7", "#c2255c", "#0b87a5", "#7a6a00"];
-const colorOf = i => colors[i % colors.length];
-
-// Elements: make("td.best", {title: "..."}, child, "text").
-function make(spec, attributes, ...children) {
-  const [tag, ...classes] = spec.split(".");
-  const svg = ["svg", "g", "rect", "line", "circle", "text", "title", "path"].includes(tag);
-  const element = svg ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
-  if (classes.length) element.setAttribute("class", classes.join(" "));
-  for (const [key, value] of Object.entries(attributes || {}))
-    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
-    else if (value !== undefined) element.setAttribute(key, value);
-  element.append(...children.filter(child => child !== undefined));
-  return element;
-}
-const dot = i => make("span.dot", {style: "background:" + colorOf(i)});
-const plural = (n, word) => n + " " + word + (n === 1 ? "" : "s");
-const fixed = (value, digits) => value === null || !isFinite(value) ? "\u221e" : value.toFixed(digits);
-const unique = values => [...new Set(values)];
-
-// Every view with the scene that it is of.
-const views = results.scenes.flatMap((scene, s) => scene.views.map((view, v) =>
-  ({...view, scene, s, pictures: pictures[s][v], title: results.scenes.length > 1 ? `${scene.name}, ${view.name}` : view.name})));
-const labels = results.mean.map(row => row.label);
-const groups = unique(results.scenes.map(scene => scene.group));
-const bestRow = results.mean.reduce((best, row, i) => row.delta < results.mean[best].delta ? i : best, 0);
-
-// scope: -1 = all scenes, otherwise one. Left and right picture: -1 = reference, otherwise a row.
-const gainOf = view => view.techniques[bestRow].gain;
-const state = {scope: -1, metric: "delta", quantity: "gain", row: Math.max(bestRow, Math.min(1, labels.length - 1)),
-  view: views.reduce((best, v, i) => v.pictures && (!views[best].pictures || gainOf(v) > gainOf(views[best])) ? i : best, 0),
-  left: -1, right: bestRow, layout: "slider", kind: "image", cut: 50};
-const inScope = () => views.filter(view => state.scope < 0 || view.s === state.scope);
-const meansInScope = () => state.scope < 0 ? results.mean : results.scenes[state.scope].mean;
-const scopeName = () => state.scope < 0 ? "all scenes" : results.scenes[state.scope].name;
-
+// Tables and the sentences above them.
 const psnrOf = row => row.psnr === null ? Infinity : row.psnr;
 const columns = [
   {key: "delta", title: "delta", hint: "mean absolute error of display values", digits: 5, of: r => r.delta, best: Math.min},
@@ -58,13 +16,17 @@ const columns = [
   {key: "memory", title: "MiB", hint: "GPU memory at its peak", digits: 1, of: r => r.memory_bytes / 1048576},
 ];
 
+// "54.9 ± 0.1": the standard error that the reference's noise leaves.
+const plusMinus = (error, digits) => "\u00b1\u00a0" + fixed(error, digits);
+
 // A gain that the reference's noise could explain is shown gray, with a tilde.
 function gainCell(row, isBaseline) {
   if (isBaseline) return make("td.gain", {}, "\u2013");
   const hidden = row.gain > 0 && !row.claimed;
   return make("td.gain." + (hidden || row.gain === 0 ? "hidden" : row.gain > 0 ? "up" : "down"),
-              {title: `\u00b1 ${fixed(row.gain_error, 2)}, standard error by the reference's noise` + (hidden ? ": not claimed" : "")},
-              (hidden ? "~" : row.gain > 0 ? "+" : "") + fixed(row.gain, 2));
+              {title: "\u00b1 standard error by the reference's noise" + (hidden ? ": not claimed" : "")},
+              (hidden ? "~" : row.gain > 0 ? "+" : "") + fixed(row.gain, 2),
+              make("span.error", {}, " " + plusMinus(row.gain_error, 2)));
 }
 
 // A table whose head sorts it: the first click brings the smallest up, the second the largest.
@@ -100,6 +62,14 @@ function rowsTable(name, rows, redraw) {
     ...columns.map(c => ({...c, of: ({row}) => c.of(row), cell: cellOf(c)}))], items, redraw);
 }
 
+// Of a mean gain over views: their references' noises are independent.
+function errorOfMean(summary) {
+  const row = labels.indexOf(summary.label);
+  const errors = views.filter(v => summary.group === v.scene.group || !groups.includes(summary.group))
+    .map(v => v.techniques[row].gain_error);
+  return Math.hypot(...errors) / Math.max(errors.length, 1);
+}
+
 // What the views of each group say together.
 function summaryTable(redraw) {
   const text = (key, title) => ({key, title, of: s => s[key], cell: s => make("td", {}, s[key])});
@@ -108,7 +78,9 @@ function summaryTable(redraw) {
   return sortedTable("summary", [text("group", "scenes"), text("label", "technique"), number("views", "views", 0),
     number("positive", "gain > 0 %", 1, 100, "share of views that are closer to the truth than direct light"),
     number("claimed", "claimed %", 1, 100, "share of views whose gain the reference's noise does not explain"),
-    number("mean_gain", "mean gain %", 2), number("median_gain", "median gain %", 2),
+    {key: "mean_gain", title: "mean gain %", hint: "\u00b1 standard error by the references' noise", of: s => s.mean_gain,
+     cell: s => make("td", {}, fixed(s.mean_gain, 2), make("span.error", {}, " " + plusMinus(errorOfMean(s), 2)))},
+    number("median_gain", "median gain %", 2),
     number("rho_before", "rho before", 4), number("rho_after", "rho after", 4),
     number("improved", "improved %", 2, 100, "mean share of pixels that came closer"), number("tied", "tied %", 2, 100)],
     results.summary, redraw);
@@ -124,7 +96,7 @@ function viewsTable(redraw) {
       cell: v => c.key === "gain" ? gainCell(rowOf(v), state.row === 0) : make("td", {}, fixed(c.of(rowOf(v)), c.digits))})),
     {key: "noise", title: "noise", hint: "of the reference, in delta", of: v => v.reference.noise,
      cell: v => make("td", {}, fixed(v.reference.noise, 5))}],
-    inScope(), redraw, view => ({class: "open", onclick: () => openView(views.indexOf(view))}));
+    inScope(), redraw, view => ({class: "open", ...pressable(() => openView(views.indexOf(view))), role: undefined}));
 }
 
 function header() {
@@ -133,7 +105,7 @@ function header() {
   const facts = [results.scenes.length > 1 ? plural(results.scenes.length, "scene") : undefined, plural(views.length, "view"),
                  sizes.join(" and "), "truth: " + results.component.replaceAll("+", " + ") + ", " + results.spp + " samples a pixel",
                  device].filter(fact => fact);
-  return make("header", {}, make("div.eyebrow", {}, results.scenes.length > 1 ? "luxel experiment" : "luxel evaluation"),
+  return make("header", {}, themeButton(), make("div.eyebrow", {}, results.scenes.length > 1 ? "luxel experiment" : "luxel evaluation"),
               make("h1", {title: results.name}, results.name.split("/").pop()),
               make("p.facts", {}, ...facts.map(f => make("span", {}, f))));
 }
@@ -150,12 +122,8 @@ function verdict() {
   const gains = views.map(v => v.techniques[results.mean.indexOf(best)].gain);
   const spread = gains.length > 1 ? " (" + fixed(Math.min(...gains), 1) + " to " + fixed(Math.max(...gains), 1) +
     " over the views)" : "";
-  return make("p.verdict", {}, strong(best.label), " comes closest to the truth: ", strong(fixed(best.gain, 1) + " %"),
+  return make("p.verdict", {}, strong(best.label), " comes closest to the truth: ", strong(`${fixed(best.gain, 1)} ${plusMinus(best.gain_error, 1)} %`),
     " of direct light's error is gone on average" + spread + ", " + fixed(100 * best.improved, 1) +
     " % of the pixels are closer, at ", strong(fixed(best.ms, 1) + " ms"), " a frame where direct light alone takes " +
     fixed(direct.ms, 1) + " ms.");
 }
-)js";
-}
-
-} // namespace luxel

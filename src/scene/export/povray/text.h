@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: MIT
-// POV-Ray's scene language as text that grows, and what the export notes on its way.
+// POV-Ray's scene language.
 #pragma once
-#include <filesystem>
-#include <iterator>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
-#include "scene/povray/povray.h"
+#include "scene/export/output.h"
+#include "scene/export/povray/povray.h"
 #include "scene/scene.h"
 
 namespace luxel::povray {
 
-struct Export {
-    const Scene& scene;
+struct Export : ExportOutput {
     const PovraySettings& settings;
-    std::filesystem::path folder; // of the files
-    std::string stem;             // that their names begin with: letters, digits, '-', '_'
-    std::string text;
-    std::vector<std::string> approximated;
-
-    template <class... Args> void add(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-    }
-    void note(const std::string& sentence);
 };
 
 inline std::string vector(glm::vec3 v) { return fmt::format("<{:.7g},{:.7g},{:.7g}>", v.x, v.y, v.z); }

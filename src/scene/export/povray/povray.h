@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Export to POV-Ray 3.7: the same light in another renderer's conventions; see docs/povray.md.
+// Export to POV-Ray 3.7: the same light in another renderer's conventions; see docs/export.md.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "scene/povray/text.h"
+#include "scene/export/povray/text.h"
 #include "scene/printable.h"
 #include "scene/surface.h"
 #include "shared/brdf.h"
