@@ -92,9 +92,11 @@ function paretoFront(points) {
 function costChart() {
   const width = chartWidth(), narrow = isNarrow(width), height = 400, left = narrow ? 58 : 66, right = narrow ? 10 : 30, top = 14,
         bottom = 46, metric = metrics[state.metric];
-  const points = meansInScope().map((row, i) => ({x: row.ms, y: metric.of(row), i, text: row.label}));
+  // A picture that was read has no time of its own.
+  const timed = row => row.name !== "image" && !row.unmeasured;
+  const points = meansInScope().map((row, i) => ({row, x: row.ms, y: metric.of(row), i, text: row.label})).filter(p => timed(p.row));
   const all = inScope().flatMap(view => view.techniques.map((row, i) =>
-    ({x: row.ms, y: metric.of(row), i, text: `${view.title}, ${row.label}`})));
+    ({row, x: row.ms, y: metric.of(row), i, text: `${view.title}, ${row.label}`}))).filter(p => timed(p.row));
   // Single views show where they fit; the axes are the means'.
   const few = all.length <= 400 ? all : [];
   const reach = values => Math.max(...values) * 1.06 || 1;
@@ -137,8 +139,9 @@ function costChart() {
 
 // One bar per row, cut into its passes; thin slices are named by their tooltip and in the list.
 function passChart() {
-  const rows = meansInScope(), most = Math.max(...rows.map(r => r.ms), 1e-9);
-  return make("div", {}, ...rows.map((row, i) => {
+  const rows = meansInScope().filter(row => row.name !== "image"), most = Math.max(...rows.map(r => r.ms), 1e-9);
+  return make("div", {}, ...rows.map(row => {
+    const i = labels.indexOf(row.label);
     const passes = row.passes.slice().sort((a, b) => b.ms - a.ms);
     const bar = make("svg", {viewBox: "0 0 1000 22", preserveAspectRatio: "none", style: "height:22px", role: "img",
                              "aria-label": `time by pass of ${row.label}`});

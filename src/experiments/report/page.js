@@ -26,6 +26,7 @@ function conventions() {
     ...entry("Frame", ...perScene(scene => listOf(scene.frame))),
     ...entry("Device", `${results.device.name}, ${results.device.driver}, Vulkan ${results.device.api_version}`),
     ...entry("luxel", results.luxel_version),
+    ...(results.interrupted ? entry("Stopped", "before its end: what is here is of the views, rows and samples that were done") : []),
     ...(results.missing ? entry("Unfinished", plural(results.missing, "view") + " left out") : []),
     ...(warnings.length ? entry("Warnings", ...warnings.map(w => make("div", {}, w))) : []));
 }

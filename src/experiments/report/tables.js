@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Tables and the sentences above them.
+// Runs of before did not part a row's cost, nor measure it against its own component.
+const allRows = [...results.mean, ...views.flatMap(view => view.techniques)];
+const hasCost = allRows.every(row => row.cost), hasOwn = allRows.some(row => row.own);
+
 const psnrOf = row => row.psnr === null ? Infinity : row.psnr;
 const columns = [
   {key: "delta", title: "delta", hint: "mean absolute error of display values", digits: 5, of: r => r.delta, best: Math.min},
@@ -12,8 +16,17 @@ const columns = [
   {key: "psnr", title: "PSNR", hint: "dB, display values", digits: 2, of: psnrOf, best: Math.max},
   {key: "ssim", title: "SSIM", hint: "structural similarity", digits: 4, of: r => r.ssim, best: Math.max},
   {key: "flip", title: "FLIP", hint: "perceptual difference, mean", digits: 4, of: r => r.flip, best: Math.min},
-  {key: "ms", title: "ms", hint: "GPU time of a frame", digits: 2, of: r => r.ms},
+  ...(hasCost ? [
+    {key: "technique", title: "technique ms", hint: "GPU time of a frame beyond the base frame's: median, and the spread of the timed frames",
+     digits: 2, of: r => r.cost.technique.ms, beside: r => `${fixed(r.cost.technique.low, 2)}\u2013${fixed(r.cost.technique.high, 2)}`,
+     versus: true},
+    {key: "base", title: "base ms", hint: "GPU time of the frame that every row begins with", digits: 2, of: r => r.cost.base.ms},
+    {key: "preparation", title: "prepared in ms", hint: "once for each scene", digits: 1, of: r => r.cost.preparation, versus: true}] : []),
+  ...(hasCost ? [] : [{key: "ms", title: "ms", hint: "GPU time of a frame", digits: 2, of: r => r.ms}]),
   {key: "memory", title: "MiB", hint: "GPU memory at its peak", digits: 1, of: r => r.memory_bytes / 1048576},
+  ...(hasOwn ? [{key: "own", title: "own gain %", hint: "against direct light and what the row's techniques compute, as if that had been asked for",
+    digits: 2, of: r => r.own ? r.own.gain : -Infinity, versus: true, shown: r => r.own ? fixed(r.own.gain, 2) : "\u2013",
+    beside: r => r.own ? `${plusMinus(r.own.gain_error, 2)} of ${r.own.component}` : ""}] : []),
 ];
 
 // "54.9 ± 0.1": the standard error that the reference's noise leaves.
@@ -22,6 +35,7 @@ const plusMinus = (error, digits) => "\u00b1\u00a0" + fixed(error, digits);
 // A gain that the reference's noise could explain is shown gray, with a tilde.
 function gainCell(row, isBaseline) {
   if (isBaseline) return make("td.gain", {}, "\u2013");
+  if (row.unmeasured) return make("td.gain.hidden", {title: row.unmeasured}, row.unmeasured);
   const hidden = row.gain > 0 && !row.claimed;
   return make("td.gain." + (hidden || row.gain === 0 ? "hidden" : row.gain > 0 ? "up" : "down"),
               {title: "\u00b1 standard error by the reference's noise" + (hidden ? ": not claimed" : "")},
@@ -52,10 +66,11 @@ function rowsTable(name, rows, redraw) {
   const items = rows.map((row, i) => ({row, i}));
   const cellOf = c => ({row, i}) => {
     if (c.key === "gain") return gainCell(row, i === 0);
-    if (c.versus && i === 0) return make("td", {}, "\u2013");
+    if (c.key !== "base" && (row.unmeasured || (c.versus && i === 0))) return make("td", {}, "\u2013");
     const values = rows.map(c.of), value = c.of(row);
     const best = c.best && values.some(v => v !== values[0]) && value === c.best(...values);
-    return make(best ? "td.best" : "td", {}, fixed(value, c.digits));
+    return make(best ? "td.best" : "td", {}, c.shown ? c.shown(row) : fixed(value, c.digits),
+                c.beside && c.beside(row) ? make("span.error", {}, " " + c.beside(row)) : undefined);
   };
   return sortedTable(name, [{key: "label", title: "technique", of: ({row}) => row.label,
     cell: ({row, i}) => make("td.name", {title: JSON.stringify(row.parameters)}, dot(i), row.label)},
@@ -124,6 +139,7 @@ function verdict() {
     " over the views)" : "";
   return make("p.verdict", {}, strong(best.label), " comes closest to the truth: ", strong(`${fixed(best.gain, 1)} ${plusMinus(best.gain_error, 1)} %`),
     " of direct light's error is gone on average" + spread + ", " + fixed(100 * best.improved, 1) +
-    " % of the pixels are closer, at ", strong(fixed(best.ms, 1) + " ms"), " a frame where direct light alone takes " +
-    fixed(direct.ms, 1) + " ms.");
+    " % of the pixels are closer, at ", ...(hasCost ?
+      [strong(fixed(best.cost.technique.ms, 1) + " ms"), ` beside the ${fixed(best.cost.base.ms, 1)} ms of the frame that it is built on.`] :
+      [strong(fixed(best.ms, 1) + " ms"), ` a frame where direct light alone takes ${fixed(direct.ms, 1)} ms.`]));
 }

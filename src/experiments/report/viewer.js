@@ -72,7 +72,7 @@ function showViewer() {
     [make("p.hint", {}, "This page holds no picture of this view.")];
   viewer.replaceChildren(...[strip(), make("h3", {id: "view-title"}, view.title), ...stage,
     make("div.below", {}, rowsTable("view", view.techniques, showViewer),
-      make("p.hint.after", {}, `${view.title}: ${view.size.join(" \u00d7 ")}, reference of ${reference.spp} ` +
+      make("p.hint.after", {}, `${view.title}: ${view.partial ? "stopped before its end; " : ""}${view.size.join(" \u00d7 ")}, reference of ${reference.spp} ` +
         `samples a pixel ${origin}, noise ${fixed(reference.noise, 5)} of delta, exposure ${(+view.exposure).toPrecision(4)}.`))]
     .filter(e => e));
   moveLayers();
