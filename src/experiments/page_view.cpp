@@ -2,7 +2,6 @@
 #include "experiments/page_view.h"
 
 #include "core/flip.h"
-#include "experiments/figures.h"
 #include "experiments/pictures.h"
 
 namespace luxel {
@@ -38,8 +37,7 @@ nlohmann::ordered_json page_view(const ViewPictures& p, int width) {
         add_photo(json, "image", "bright", row.shown, row.radiance);
         json["error"] = uri(error_map(truth, row.shown, mask), map_quality);
         json["signed"] = uri(signed_map(truth, row.shown, mask), map_quality);
-        json["flip"] =
-            uri(flip_picture(flip_ldr(truth, fill_outside(row.shown, truth, mask)).map, mask), map_quality);
+        json["flip"] = uri(flip_picture(flip_ldr(truth, row.shown, mask).map, mask), map_quality);
         json["change"] = uri(change_map(truth, p.rows[0].shown, row.shown, mask), map_quality);
         page["rows"].push_back(std::move(json));
     }
