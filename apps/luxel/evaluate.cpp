@@ -23,7 +23,7 @@ struct Options {
     std::string scene;
     ViewGroup views;
     TruthSettings truth;
-    std::vector<std::string> use;
+    std::vector<std::string> use, images;
     std::string component = "direct+diffuse1", size = "640x480", frame, reference_lights = "same", output,
                 device, ao_radius, ao_membership;
     CacheChoice cache;
@@ -49,6 +49,7 @@ Experiment experiment_of(const Options& o, const Global& global) {
     Experiment e;
     e.name = o.scene;
     e.uses = o.use;
+    for (const std::string& image : o.images) e.uses.push_back("image:" + image);
     e.timed_frames = o.timed_frames;
     e.pictures = PictureMode::files;
     e.picture_width = page_width;
@@ -139,6 +140,11 @@ void add_evaluate(CLI::App& app, const Global& global) {
     command->add_option("--use", o->use, "T[:key=value,...], a row; slots joined by +; may be repeated")
         ->allow_extra_args(false);
     command
+        ->add_option("--image", o->images,
+                     "NAME=FILE, a row: another renderer's picture of the view, radiance as .exr or .hdr; "
+                     "{view} in FILE is a view's name; may be repeated")
+        ->allow_extra_args(false);
+    command
         ->add_option("--views", o->views.choice.drawn,
                      "Draw this many views by seed; default: the scene's cameras")
         ->check(CLI::Range(1, 10000));
@@ -160,6 +166,7 @@ void add_evaluate(CLI::App& app, const Global& global) {
         "  luxel evaluate builtin:cornell --use isr -o out\n"
         "  luxel evaluate sponza.gltf --use isr --use isr:mode=thesis --views 8 --size 1024x768 -o out\n"
         "  luxel evaluate builtin:cornell --component ao --ao-radius 0.3 --use isr:ao_radius=0.3 -o out\n"
+        "  luxel evaluate room.gltf --use isr --image pbrt=renders/{view}.exr -o out; see luxel export\n"
         "  luxel evaluate room.toml --use isr --frame environment=lights,environment_lights=32 -o out");
     command->callback([o, &global] { run(*o, global); });
 }

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "experiments/components.h"
 #include "experiments/judge.h"
+#include "experiments/picture_row.h"
 #include "experiments/timing.h"
 #include "scene/height_field.h"
 #include "scene/lights.h"
@@ -42,12 +43,27 @@ RenderResult render_row(Renderer& renderer, const ViewTask& task, TechniqueRow& 
     return frame;
 }
 
+// What was read and not rendered has neither time nor memory.
+RowFrames picture_frames(const TechniqueRow& row, const ViewTask& task, bool accessibility,
+                         std::vector<std::string>& warnings) {
+    if (accessibility)
+        fail(Fault::usage, "--image {}: it is a picture of light, and --component ao measures accessibility",
+             row.label);
+    RowFrames frames;
+    frames.last.radiance = read_picture(row, task.camera, task.width, task.height, warnings);
+    frames.times.emplace_back();
+    return frames;
+}
+
 // The rows take turns, so that what slows the machine for a while slows them all.
 std::vector<RowFrames> render_rows(Renderer& renderer, const ViewTask& task, std::vector<TechniqueRow>& rows,
-                                   bool accessibility) {
+                                   bool accessibility, std::vector<std::string>& warnings) {
     std::vector<RowFrames> frames(rows.size());
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        if (is_picture(rows[r])) frames[r] = picture_frames(rows[r], task, accessibility, warnings);
     for (int i = 0; i < task.timed_frames; ++i)
         for (std::size_t r = 0; r < rows.size(); ++r) {
+            if (is_picture(rows[r])) continue;
             frames[r].last = render_row(renderer, task, rows[r], accessibility);
             frames[r].times.push_back(frames[r].last.passes);
         }
@@ -95,7 +111,8 @@ ReferenceRequest reference_request(const TruthSettings& truth, const ViewTask& t
 
 void warm_up(Renderer& renderer, const ViewTask& task, std::vector<TechniqueRow>& rows) {
     for (int i = 0; i < warm_up_frames; ++i)
-        for (TechniqueRow& row : rows) render_row(renderer, task, row, false);
+        for (TechniqueRow& row : rows)
+            if (!is_picture(row)) render_row(renderer, task, row, false);
 }
 
 ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const TruthSettings& truth,
@@ -104,8 +121,8 @@ ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const 
     // The frames first: a row that cannot be compared should say so before minutes of path tracing. Every row
     // sees the same surfaces, so that the baseline's mask is everyone's.
     const bool accessibility = is_accessibility(truth.components);
-    std::vector<RowFrames> frames = render_rows(stage.renderer, task, rows, accessibility);
     ViewResult view;
+    std::vector<RowFrames> frames = render_rows(stage.renderer, task, rows, accessibility, view.warnings);
     view.camera = task.camera;
     view.width = task.width, view.height = task.height;
     for (std::size_t r = 0; r < rows.size(); ++r)

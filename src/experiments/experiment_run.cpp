@@ -11,6 +11,7 @@
 #include "experiments/journal.h"
 #include "experiments/judge.h"
 #include "experiments/memory_budget.h"
+#include "experiments/picture_row.h"
 
 namespace luxel {
 
@@ -70,6 +71,8 @@ std::vector<ViewTask> tasks_of(const Experiment& experiment, const SceneEntry& e
     }
     make_names_unique(cameras);
     for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].camera.name = cameras[i].name;
+    for (const std::string& use : experiment.uses)
+        if (is_picture_use(use)) require_pictures(parse_picture_use(use), cameras);
     return tasks;
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "experiments/json_text.h"
+#include "experiments/picture_row.h"
 #include "experiments/results_json.h"
 #include "reference/content_key.h"
 
@@ -65,6 +66,8 @@ std::string view_key(const Experiment& experiment, const SceneEntry& entry, std:
     for (const RowName& row : rows) {
         key.add(std::string_view(row.label));
         add(key, row.parameters);
+        // A picture's file may change while its name stays.
+        if (row.name == picture_row_name) key.add(read_file(picture_file(row.parameters, task.camera.name)));
     }
     key.add(int(experiment.pictures)), key.add(experiment.picture_width);
     return fmt::format("{:016x}", key.value());

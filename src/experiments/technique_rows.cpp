@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/error.h"
+#include "experiments/picture_row.h"
 
 namespace luxel {
 
@@ -80,9 +81,11 @@ std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts) {
     rows.push_back(baseline_row());
     for (const std::string& text : texts) {
         if (text == baseline_name) continue; // always there
+        TechniqueRow next = is_picture_use(text) ? parse_picture_use(text) : parse_use(text);
         for (const TechniqueRow& row : rows)
-            if (row.label == text) fail(Fault::usage, "--use {}: this row is there already", text);
-        rows.push_back(parse_use(text));
+            if (row.label == next.label)
+                fail(Fault::usage, "--use {}: this row is there already", next.label);
+        rows.push_back(std::move(next));
     }
     return rows;
 }
