@@ -27,8 +27,7 @@ TechniqueRow parse_use(std::string_view text);
 // The row with one more parameter; `key` is "technique.parameter" where the row joins several. Error
 // Fault::usage: no such technique in the row.
 std::string with_parameter(std::string_view use, std::string_view key, std::string_view value);
-// The baseline, then one row each, a technique or a picture (picture_row.h). Error Fault::usage when two are
-// the same.
+// The baseline, then one row each. Error Fault::usage when two are the same.
 std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts);
 
 } // namespace luxel

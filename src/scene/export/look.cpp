@@ -24,7 +24,7 @@ public:
         Channel channel{.value = of(glm::vec4(1.0f))};
         if (use.texture < 0) return channel;
         const Texture& texture = out_.scene.textures[std::size_t(use.texture)];
-        const Pixels8& pixels = texture.pixels;
+        const Pixels& pixels = texture.pixels;
         if (pixels.width < 1 || pixels.height < 1) return channel;
         const TextureUse* leading = leading_texture(material_);
         if (use.set != leading->set || use.transform != leading->transform)

@@ -9,14 +9,15 @@ namespace {
 
 int wrap_code(Wrap wrap) { return wrap == Wrap::clamp ? 33071 : wrap == Wrap::mirror ? 33648 : 10497; }
 
-std::vector<std::uint8_t> png_of(const Pixels8& pixels) {
-    const std::size_t texels = pixels.rgba.size() / 4;
+std::vector<std::uint8_t> png_of(const Pixels& pixels) {
+    const std::size_t texels = std::size_t(pixels.width) * std::size_t(pixels.height);
     bool opaque = true;
-    for (std::size_t i = 0; i < texels; ++i) opaque = opaque && pixels.rgba[4 * i + 3] == 255;
+    for (std::size_t i = 0; i < texels; ++i)
+        opaque = opaque && pixels.value(4 * i + 3) > 0.99999f; // to rounding
     Image image(pixels.width, pixels.height, opaque ? 3 : 4);
     for (std::size_t i = 0; i < texels; ++i)
         for (std::size_t c = 0; c < std::size_t(image.channels); ++c)
-            image.data[i * std::size_t(image.channels) + c] = float(pixels.rgba[4 * i + c]) / 255.0f;
+            image.data[i * std::size_t(image.channels) + c] = pixels.value(4 * i + c);
     return encode_png(image);
 }
 
@@ -128,6 +129,7 @@ float power_of_two_over(glm::vec3 color) {
 
 void add_textures(Export& out) {
     for (const Texture& texture : out.scene.textures) {
+        if (texture.pixels.is_wide()) out.note("textures of 16 bits: rounded to 8");
         const std::vector<std::uint8_t> png = png_of(texture.pixels);
         Json image = {{"bufferView", out.buffer.add_view(std::as_bytes(std::span(png)), ViewOf::picture)},
                       {"mimeType", "image/png"}};
