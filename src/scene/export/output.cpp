@@ -28,6 +28,12 @@ void ExportOutput::note(const std::string& sentence) {
         ++known->second;
 }
 
+void ExportOutput::note_origin() {
+    const glm::dvec3 o = scene.origin;
+    if (o != glm::dvec3(0.0))
+        note(fmt::format("positions: without the scene's origin ({}, {}, {})", o.x, o.y, o.z));
+}
+
 std::vector<std::string> ExportOutput::approximated() const {
     std::vector<std::string> sentences;
     for (const auto& [sentence, count] : notes_)

@@ -30,6 +30,7 @@ struct ExportOutput {
     }
     // Once for each thing that it is true of. "normal maps: left out"
     void note(const std::string& sentence);
+    void note_origin(); // where positions are about another origin than the files'
     // "normal maps: left out (3 times)", in the order of their first notes.
     std::vector<std::string> approximated() const;
 

@@ -143,6 +143,14 @@ void add_nodes(Export& out, const ExportedView& view) {
         std::any_of(cameras.begin(), cameras.end(), [&](const Camera& c) { return same(c, view.camera); });
     if (!own) add_camera(out, view.camera, view);
     for (const Camera& camera : cameras) add_camera(out, camera, view);
+
+    // Far scenes are about an origin of their own: one node above all moves them back.
+    const glm::dvec3 origin = out.scene.origin;
+    if (origin == glm::dvec3(0.0)) return;
+    Json& roots = out.json["scenes"][0]["nodes"];
+    Json root = {{"name", "origin"}, {"translation", {origin.x, origin.y, origin.z}}, {"children", roots}};
+    roots = {out.json["nodes"].size()};
+    out.json["nodes"].push_back(std::move(root));
 }
 
 } // namespace gltf_export

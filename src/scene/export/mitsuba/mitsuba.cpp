@@ -194,6 +194,7 @@ void add_shape(ExportOutput& out, const ExportedShape& shape, const Look& look, 
 std::vector<std::string> write_mitsuba(const std::filesystem::path& file, const Scene& scene,
                                        const ExportedView& view) {
     ExportOutput out(scene, file);
+    out.note_origin();
     add_view(out, view);
     add_lights(out);
     const UsedParts used = used_parts(scene);

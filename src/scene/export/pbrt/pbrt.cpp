@@ -162,6 +162,7 @@ void add_shape(ExportOutput& out, const ExportedShape& shape, const Look& look, 
 std::vector<std::string> write_pbrt(const std::filesystem::path& file, const Scene& scene,
                                     const ExportedView& view) {
     ExportOutput out(scene, file);
+    out.note_origin();
     add_view(out, view);
     add_lights(out);
     const UsedParts used = used_parts(scene);
