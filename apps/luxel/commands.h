@@ -29,6 +29,7 @@ void add_info(CLI::App& app, const Global& global);
 void add_views(CLI::App& app, const Global& global);
 void add_export(CLI::App& app, const Global& global);
 void add_reproduce(CLI::App& app, const Global& global);
+void add_cache(CLI::App& app, const Global& global);
 void add_devices(CLI::App& app, const Global& global);
 
 } // namespace luxel::app

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "experiments/components.h"
 #include "experiments/experiment_run.h"
 #include "experiments/output_folder.h"
@@ -61,7 +62,9 @@ Experiment experiment_of(const Options& o, const Global& global) {
     SceneEntry scene;
     scene.name = scene.group = scene.source = scene.file = o.scene;
     scene.load = load_options(global);
-    set_parameters(scene.frame, "--frame", parse_values("--frame", o.frame));
+    const auto frame = parse_values("--frame", o.frame);
+    set_parameters(scene.frame, "--frame", frame);
+    scene.warnings = idle_parameters(scene.frame, "--frame", frame);
     ViewGroup views = o.views;
     views.choice.seed = std::uint32_t(o.truth.seed);
     const Size size = parse_size(o.size);
@@ -75,20 +78,18 @@ void run(const Options& o, const Global& global) {
     const Experiment experiment = experiment_of(o, global);
     const PictureFiles pictures(o.output, experiment);
     OutputFolder output(o.output);
-    const ExperimentResult result =
-        run_experiment(experiment, {.device = o.device,
-                                    .cache = o.cache.path(),
-                                    .quiet = global.quiet,
-                                    .warn = print_warnings,
-                                    .pictures = [&](const SceneEntry& scene, const ViewPictures& view) {
-                                        return pictures.add(scene, view);
-                                    }});
-    write_results(output.path(), result);
-    output.keep();
-
-    if (global.json) return print_json(to_json(result));
-    fmt::print("{}\nReport: {}\n", format_result(result, o.verbose),
-               (output.path() / "report.html").string());
+    const InterruptScope interrupt;
+    const ExperimentResult result = run_experiment(
+        experiment, {.device = o.device,
+                     .cache = o.cache.path(),
+                     .journal = output.path() / "views",
+                     .quiet = global.quiet,
+                     .stop = [&] { return interrupt.signal() != 0; },
+                     .warn = print_warnings,
+                     .pictures = [&](const SceneEntry& scene,
+                                     const ViewPictures& view) { return pictures.add(scene, view); }});
+    finish_run(output, result, o.verbose, global);
+    if (result.interrupted) throw Interrupted{interrupt.signal()};
 }
 
 std::string ao_memberships() {
@@ -137,7 +138,11 @@ void add_evaluate(CLI::App& app, const Global& global) {
         ->add_option("-o,--output", o->output,
                      "Folder for report.html, results.json, results.csv and images/")
         ->required();
-    command->add_option("--use", o->use, "T[:key=value,...], a row; slots joined by +; may be repeated")
+    command
+        ->add_option(
+            "--use", o->use,
+            "T[:key=value,...], a row; slots joined by +; may be repeated; all: every technique that can "
+            "act")
         ->allow_extra_args(false);
     command
         ->add_option("--image", o->images,
@@ -157,6 +162,9 @@ void add_evaluate(CLI::App& app, const Global& global) {
     command->add_flag("--verbose", o->verbose, "Print every view and the time by pass");
     add_measurement_options(*command, *o);
     command->footer(
+        "Every view is kept under DIR/views when it is measured, and a truth from its first seconds on: "
+        "stopped\n"
+        "at any moment, the same command goes on. Ctrl-C leaves a partial report.\n"
         "Direct light alone is always the first row. The truth is path traced at pixel centers, where the\n"
         "frame samples, and stored by its content for the next run. What the truth's noise\n"
         "adds to errors is taken out; a gain that noise could explain is marked ~.\n"

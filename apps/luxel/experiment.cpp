@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "experiments/experiment_file.h"
 #include "experiments/experiment_run.h"
 #include "experiments/output_folder.h"
@@ -40,14 +41,18 @@ void print_truths(const TruthCount& count, const Global& global) {
 
 void run(const Options& o, const Global& global) {
     const Experiment experiment = load(o, global);
+    const InterruptScope interrupt;
     RunOptions options = {.device = o.device,
                           .cache = o.cache.path(),
                           .quiet = global.quiet,
                           .seconds = 60 * o.minutes,
+                          .stop = [&] { return interrupt.signal() != 0; },
                           .warn = print_warnings};
     if (o.only_truth) {
         if (options.cache.empty()) fail(Fault::usage, "--only-truth: without a cache it would leave nothing");
-        return print_truths(render_truths(experiment, options), global);
+        print_truths(render_truths(experiment, options), global);
+        if (interrupt.signal() != 0) throw Interrupted{interrupt.signal()};
+        return;
     }
 
     if (o.output.empty()) fail(Fault::usage, "command line: -o is required, unless --only-truth is given");
@@ -58,11 +63,8 @@ void run(const Options& o, const Global& global) {
         return pictures.add(scene, view);
     };
     const ExperimentResult result = run_experiment(experiment, options);
-    write_results(output.path(), result);
-    output.keep();
-    if (global.json) return print_json(to_json(result));
-    fmt::print("{}\nReport: {}\n", format_result(result, o.verbose),
-               (output.path() / "report.html").string());
+    finish_run(output, result, o.verbose, global);
+    if (result.interrupted) throw Interrupted{interrupt.signal()};
 }
 
 } // namespace

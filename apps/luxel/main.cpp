@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "help.h"
 #include "scene/load.h"
 
@@ -83,7 +84,7 @@ int run(int argc, char** argv) {
 
     using namespace luxel::app;
     for (auto add : {add_evaluate, add_experiment, add_render, add_reference, add_diff, add_techniques,
-                     add_scenes, add_info, add_views, add_export, add_reproduce, add_devices})
+                     add_scenes, add_info, add_views, add_export, add_reproduce, add_cache, add_devices})
         add(app, global);
     require_known_subcommand(app, argc, argv);
     try {
@@ -103,6 +104,8 @@ int main(int argc, char** argv) {
         return run(argc, argv);
     } catch (const luxel::Error& e) {
         return report(e.fault(), e.what());
+    } catch (const luxel::Interrupted& stop) {
+        return report(static_cast<Fault>(128 + stop.signal), "stopped; the same command goes on from here");
     } catch (const std::bad_alloc&) {
         return report(Fault::resource, "memory: not enough for this run");
     } catch (const std::filesystem::filesystem_error& e) {

@@ -13,6 +13,9 @@
 #include "experiments/json_text.h"
 #include "experiments/output_folder.h"
 #include "experiments/reference_cache.h"
+#include "experiments/result_files.h"
+#include "experiments/results_json.h"
+#include "experiments/table.h"
 
 namespace luxel::app {
 
@@ -86,6 +89,14 @@ void print_warnings(const std::vector<std::string>& warnings) {
     const std::size_t shown = std::min(warnings.size(), printed_warnings);
     for (std::size_t i = 0; i < shown; ++i) fmt::print(stderr, "luxel: warning: {}\n", warnings[i]);
     if (warnings.size() > 1) fmt::print(stderr, "luxel: warning: {} warnings in all\n", warnings.size());
+}
+
+void finish_run(OutputFolder& output, const ExperimentResult& result, bool verbose, const Global& global) {
+    write_results(output.path(), result);
+    output.keep();
+    if (global.json) return print_json(to_json(result));
+    fmt::print("{}\nReport: {}\n", format_result(result, verbose), (output.path() / "report.html").string());
+    std::fflush(stdout);
 }
 
 LoadOptions load_options(const Global& global) {

@@ -10,6 +10,8 @@
 
 #include "commands.h"
 #include "core/image.h"
+#include "experiments/experiment.h"
+#include "experiments/output_folder.h"
 #include "scene/load.h"
 
 namespace luxel::app {
@@ -42,6 +44,9 @@ std::vector<std::pair<std::string, std::string>> parse_values(const std::string&
                                                               const std::string& text);
 
 void print_warnings(const std::vector<std::string>& warnings);
+
+// What a run leaves behind: files in the folder, and the table or the JSON on stdout.
+void finish_run(OutputFolder& output, const ExperimentResult& result, bool verbose, const Global& global);
 
 // As the options that every subcommand takes have it.
 LoadOptions load_options(const Global& global);

@@ -48,8 +48,8 @@ public:
 private:
     void add(std::string_view name, std::string type, std::string value, std::string allowed,
              std::string_view meaning) {
-        found.push_back(
-            {std::string(name), std::move(type), std::move(value), std::move(allowed), std::string(meaning)});
+        found.push_back({std::string(name), std::move(type), std::move(value), std::move(allowed),
+                         std::string(meaning), condition().when, condition().acts});
     }
 };
 
@@ -154,6 +154,17 @@ void set(void* object, Visit visit, std::string_view owner,
     }
     Setter setter(owner, values);
     visit(object, setter);
+}
+
+std::vector<std::string> idle(void* object, Visit visit, std::string_view owner,
+                              const std::vector<std::pair<std::string, std::string>>& values) {
+    std::vector<std::string> sentences;
+    for (const ParameterInfo& info : list(object, visit))
+        for (const auto& [name, value] : values)
+            if (name == info.name && !info.acts)
+                sentences.push_back(fmt::format("{}: {}={} has no effect, as it is of {} alone", owner, name,
+                                                value, info.when));
+    return sentences;
 }
 
 } // namespace detail

@@ -3,6 +3,7 @@
 #pragma once
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace luxel {
 
@@ -13,13 +14,15 @@ public:
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    // fraction in [0, 1]; cheap enough to call often; one thread only.
-    void update(double fraction);
+    // fraction in [0, 1]; `detail` says what is under way; cheap enough to call often; one thread only.
+    void update(double fraction, std::string_view detail = {});
+    // A line of its own, at once; the bar goes on below it.
+    void say(std::string_view line);
     void finish();
 
 private:
     void print(double fraction, bool last);
-    std::string what_;
+    std::string what_, detail_;
     bool quiet_, terminal_, finished_ = false;
     std::chrono::steady_clock::time_point start_, last_;
 };

@@ -47,6 +47,21 @@ std::vector<std::string> parse_components(std::string_view text) {
     return components;
 }
 
+std::vector<std::string> without_parts(const std::set<std::string>& components) {
+    std::vector<std::string> kept;
+    for (const std::string& name : components) {
+        const std::set<std::string> parts = parts_of(name);
+        const bool contained =
+            std::any_of(components.begin(), components.end(), [&](const std::string& other) {
+                const std::set<std::string> whole = parts_of(other);
+                return whole.size() > parts.size() &&
+                       std::includes(whole.begin(), whole.end(), parts.begin(), parts.end());
+            });
+        if (!contained) kept.push_back(name);
+    }
+    return kept;
+}
+
 bool is_accessibility(const std::vector<std::string>& components) {
     return components == std::vector<std::string>{"ao"};
 }

@@ -3,14 +3,14 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "experiments/figures.h"
-#include "experiments/technique_rows.h"
-#include "techniques/frame/renderer.h"
+#include "experiments/view_frames.h"
 
 namespace luxel {
 
@@ -24,22 +24,27 @@ struct TruthSettings {
     int spp = 64;
     int seed = 1;
     bool true_environment = false; // the reference keeps the environment where the frame samples it as lights
-    Judge judge = Judge::reference; // povray: of "direct" and "direct+diffuse1" alone; spp does not matter
+    Judge judge = Judge::reference;  // povray: of "direct" and "direct+diffuse1" alone; spp does not matter
+    std::vector<std::string> also{}; // components that rows are measured against besides
 };
 
-// One view to evaluate.
-struct ViewTask {
-    Camera camera;
-    int width = 640, height = 480;
-    int timed_frames = 5;
+// A row against direct light and what its techniques compute, as if that had been asked for.
+struct OwnResult {
+    std::string component; // "direct+caustics"
+    Figures figures;
+    bool claimed = false;
 };
 
 struct RowResult {
     Figures figures;
     bool claimed = false;              // the gain is larger than the reference's noise
-    double ms = 0;                     // GPU time of a frame: median of the timed frames
+    double ms = 0;                     // GPU time of a frame: cost.base and cost.technique
     std::vector<gpu::PassTime> passes; // medians
     std::uint64_t memory_bytes = 0;
+    RowCost cost;
+    std::optional<OwnResult> own; // none for the baseline, occlusion as truth, and POV-Ray as judge
+    std::string unmeasured; // why there are no figures: they are the baseline's then; "" where there are
+    int views = 1;          // of a mean: those in which the row was measured
 };
 
 struct ViewResult {
@@ -53,11 +58,13 @@ struct ViewResult {
     std::vector<RowResult> rows;       // the baseline first
     nlohmann::ordered_json pictures;   // for the page, see result_files.h; null = none
     std::vector<std::string> warnings; // of its truth and its rows
+    bool partial = false;              // it was stopped; what is there is of fewer samples or fewer rows
 };
 
 struct RowName {
     std::string label, name;
     std::vector<ParameterInfo> parameters;
+    bool of_all = false; // see TechniqueRow
 };
 
 // The pictures of one view, handed on as soon as they are there and not kept.
@@ -81,12 +88,21 @@ struct SceneOnStage {
     std::filesystem::path cache; // of truths; empty = none
 };
 
-// Pipelines compile at their first use; what the rows remember of these frames is to be thrown away with
-// them.
-void warm_up(Renderer& renderer, const ViewTask& task, std::vector<TechniqueRow>& rows);
+// What may be told how far a view is, and asked whether to go on. Each may be empty.
+struct ViewWatch {
+    std::function<void(const std::string& doing, double share)> progress; // share of the view, in [0, 1]
+    std::function<void(const std::string& line)> say;                     // a figure that is there
+    std::function<bool()> stop;
+};
+
+// The components that the rows are measured against beside the truth's own. Rows that are idle need none.
+std::vector<std::string> also_measured(const TruthSettings& truth, const std::vector<TechniqueRow>& rows);
 
 // `rows` begins with the baseline and has seen no frame yet: what is measured does not depend on other views.
-ViewResult evaluate_view(const SceneOnStage& stage, const ViewTask& task, const TruthSettings& truth,
-                         std::vector<TechniqueRow>& rows, const PictureSink& sink);
+// Each row's techniques are gone afterwards. Nothing where it was stopped before there was anything to
+// compare.
+std::optional<ViewResult> evaluate_view(const SceneOnStage& stage, const ViewTask& task,
+                                        const TruthSettings& truth, std::vector<TechniqueRow>& rows,
+                                        const PictureSink& sink, const ViewWatch& watch = {});
 
 } // namespace luxel

@@ -26,6 +26,7 @@ struct SceneEntry {
     LoadOptions load;
     FrameOptions frame;
     std::vector<ViewGroup> views;
+    std::vector<std::string> warnings{}; // of its frame options
 };
 
 // none; small ones in the page; those, and every image in full on disk
@@ -56,7 +57,8 @@ struct ExperimentResult {
     std::vector<RowResult> mean;     // over all views
     double mean_noise = 0;
     std::vector<Summary> summary;
-    int missing = 0; // views that there was no time for
+    int missing = 0;          // views that there was no time for
+    bool interrupted = false; // the run was stopped: views are missing, or the last one is partial
 };
 
 } // namespace luxel

@@ -88,13 +88,15 @@ ViewGroup read_views(Section& section, const Roots& roots, int seed, const ViewG
     return group;
 }
 
-void set_frame(Section& section, FrameOptions& frame) {
+// The warnings that come of it.
+std::vector<std::string> set_frame(Section& section, FrameOptions& frame) {
     Values values;
     for (const auto& [key, texts] : section.values("frame")) {
         if (texts.size() > 1) section.reject("frame", fmt::format("\"{}\" has several values", key));
         values.emplace_back(key, texts[0]);
     }
     at_key(section, "frame", [&] { set_parameters(frame, "frame", values); });
+    return idle_parameters(frame, "frame", values);
 }
 
 SceneEntry read_scene(Section& section, const Roots& roots, const Experiment& experiment,
@@ -112,7 +114,7 @@ SceneEntry read_scene(Section& section, const Roots& roots, const Experiment& ex
     entry.load.data = roots.data.string();
     entry.load.environment_scale = section.number("environment_scale", 0, 1e6).value_or(1.0f);
     entry.frame = frame;
-    set_frame(section, entry.frame);
+    entry.warnings = set_frame(section, entry.frame);
     for (Section& views : section.sections("views"))
         entry.views.push_back(read_views(views, roots, experiment.truth.seed, defaults));
     if (entry.views.empty()) entry.views.push_back(defaults); // the scene's own cameras
@@ -133,7 +135,7 @@ std::vector<std::string> read_technique(Section& section) {
         if (uses.size() > most_rows) section.reject("sweep", fmt::format("more than {} rows", most_rows));
     }
     for (const std::string& use : uses)
-        if (use != baseline_name) at_key(section, "use", [&] { parse_use(use); });
+        if (use != baseline_name && use != all_uses) at_key(section, "use", [&] { parse_use(use); });
     section.finish();
     return uses;
 }

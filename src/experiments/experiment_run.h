@@ -11,7 +11,8 @@ struct RunOptions {
     std::filesystem::path cache;   // of truths; empty = none
     std::filesystem::path journal; // folder of finished views; empty = none
     bool quiet = false;
-    double seconds = 0;                                        // begin no view after this time; 0 = no limit
+    double seconds = 0;         // begin no view after this time; 0 = no limit
+    std::function<bool()> stop; // true: end in good order with what there is; may be empty
     std::function<void(const std::vector<std::string>&)> warn; // sentences, as they come up
     // The pictures of a view, for ViewResult::pictures.
     std::function<nlohmann::ordered_json(const SceneEntry&, const ViewPictures&)> pictures;

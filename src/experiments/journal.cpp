@@ -19,7 +19,7 @@ namespace luxel {
 namespace {
 
 constexpr std::uint32_t journal_version =
-    2; // raised with every change of what a view's file holds, or how it is measured
+    3; // raised with every change of what a view's file holds, or how it is measured
 constexpr std::uint64_t largest_file = std::uint64_t(1) << 28;
 
 void add(ContentKey& key, const std::vector<ParameterInfo>& parameters) {
@@ -43,6 +43,18 @@ void add(ContentKey& key, const TruthSettings& truth) {
         key.add(value);
 }
 
+// Of the running program: what another build measured is not taken for what this one would.
+std::uint64_t program_key() {
+    static const std::uint64_t key = [] {
+        ContentKey content;
+        std::error_code error;
+        const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+        if (!error) content.add(read_file(program, largest_file));
+        return content.value();
+    }();
+    return key;
+}
+
 } // namespace
 
 std::uint64_t stage_key(const Scene& scene) {
@@ -56,7 +68,7 @@ std::string view_key(const Experiment& experiment, const SceneEntry& entry, std:
                      const ViewTask& task, const std::vector<RowName>& rows, const gpu::DeviceInfo& device) {
     ContentKey key;
     key.add(journal_version);
-    key.add(std::string_view(LUXEL_VERSION));
+    key.add(std::string_view(LUXEL_VERSION)), key.add(program_key());
     key.add(std::string_view(device.name)), key.add(std::string_view(device.driver));
     key.add(std::string_view(entry.name)), key.add(scene_key);
     FrameOptions frame = entry.frame;

@@ -55,13 +55,22 @@ std::vector<std::string> judged_layers(const TruthSettings& truth) {
 }
 
 Truth judge_view(const RayCaster& rays, const TruthSettings& truth, const ViewTask& task,
-                 const std::filesystem::path& cache, std::vector<std::string>& warnings) {
+                 const std::filesystem::path& cache, std::vector<std::string>& warnings,
+                 const TruthWatch& watch) {
     if (truth.judge == Judge::reference)
-        return find_truth(rays, reference_request(truth, task), cache, warnings);
+        return find_truth(rays, reference_request(truth, task), cache, warnings, watch);
     LUXEL_ASSERT(povray_judges(truth.components), "components={}", truth.components.size());
     const PovraySettings settings = {.radiosity = truth.components.size() > 1, .specular = false};
     return find_truth(povray_key(rays.scene(), task, settings), cache, warnings,
                       [&] { return render_povray(rays, task, settings); });
+}
+
+std::optional<Truth> early_truth(const RayCaster& rays, const TruthSettings& truth, const ViewTask& task,
+                                 int samples, const std::filesystem::path& cache,
+                                 std::vector<std::string>& warnings) {
+    if (truth.judge != Judge::reference || cache.empty()) return std::nullopt;
+    return find_truth(rays, reference_request(truth, task), cache, warnings,
+                      [&](int spp) { return spp < samples; });
 }
 
 } // namespace luxel

@@ -6,11 +6,14 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
 #include "core/file.h"
+#include "experiments/cache_folder.h"
+#include "experiments/output_folder.h"
 #include "reference/content_key.h"
 
 namespace luxel {
@@ -86,6 +89,19 @@ Truth decode(std::string_view bytes) {
     return truth;
 }
 
+// Where a cache cannot be written, truths are rendered all the same.
+bool can_hold_files(const std::filesystem::path& folder) {
+    if (folder.empty()) return false;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    try {
+        check_writable(folder / "truth");
+    } catch (const Error&) {
+        return false;
+    }
+    return true;
+}
+
 } // namespace
 
 std::filesystem::path default_cache_folder() {
@@ -125,9 +141,34 @@ void store_truth(const std::filesystem::path& file, const std::string& key, cons
     write_file(file, std::string(magic) + key + checksum(rest) + "\n" + rest);
 }
 
-Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const std::filesystem::path& folder,
-                 std::vector<std::string>& warnings) {
-    return find_truth(reference_key(rays.scene(), request), folder, warnings, [&] {
+void describe_truth(CachedFile& file) {
+    std::ifstream stream(file.file, std::ios::binary);
+    std::string header(magic.size() + 2 * key_size + 1, '\0'), line;
+    if (!stream.read(header.data(), std::streamsize(header.size())) || !header.starts_with(magic) ||
+        !std::getline(stream, line))
+        return;
+    try {
+        const nlohmann::json description = nlohmann::json::parse(line);
+        for (const nlohmann::json& image : description.at("images")) {
+            if (image.at("group") != "mean") continue;
+            file.components.push_back(image.at("name"));
+            file.width = image.at("width"), file.height = image.at("height");
+        }
+        file.spp = description.at("spp");
+    } catch (const nlohmann::json::exception&) {
+        file.components.clear(), file.width = file.height = file.spp = 0;
+    }
+}
+
+Truth find_truth(const RayCaster& rays, const ReferenceRequest& asked, const std::filesystem::path& folder,
+                 std::vector<std::string>& warnings, const TruthWatch& watch) {
+    ReferenceRequest request = asked;
+    bool stopped = false;
+    if (watch) request.watch = [&](int spp) { return !(stopped = !watch(spp)); };
+    const std::string key = reference_key(rays.scene(), request);
+    if (can_hold_files(folder)) request.checkpoint = folder / (key + ".checkpoint");
+
+    Truth found = find_truth(key, folder, warnings, [&] {
         const auto start = std::chrono::steady_clock::now();
         Estimate estimate = render_reference(rays, request);
         warnings.insert(warnings.end(), estimate.warnings.begin(), estimate.warnings.end());
@@ -137,8 +178,12 @@ Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const s
         truth.mean = std::move(estimate.mean);
         truth.group = std::move(estimate.group);
         truth.mask = std::move(estimate.mask);
+        truth.complete = !stopped || truth.spp >= request.settings.spp;
         return truth;
     });
+    std::error_code error; // it is there where it could be written
+    if (found.complete && !request.checkpoint.empty()) std::filesystem::remove(request.checkpoint, error);
+    return found;
 }
 
 Truth find_truth(const std::string& key, const std::filesystem::path& folder,
@@ -148,17 +193,19 @@ Truth find_truth(const std::string& key, const std::filesystem::path& folder,
         std::optional<Truth> found = load_truth(file, key, warnings);
         if (found) {
             found->cached = true;
+            mark_used(file);
             return std::move(*found);
         }
     }
 
     const Truth truth = render();
     // The images are at hand whether or not they can be kept.
-    if (folder.empty()) return truth;
+    if (folder.empty() || !truth.complete) return truth;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     try {
         store_truth(file, key, truth);
+        prune_cache(folder, cache_limit(), file);
     } catch (const Error& e) {
         warnings.push_back(fmt::format("the reference is not cached: {}", e.what()));
     }

@@ -18,6 +18,7 @@ struct Truth {
     int spp = 0;
     double seconds = 0; // that the rendering took, when it was rendered
     bool cached = false;
+    bool complete = true; // false: it was stopped before it had all its samples
     Layers mean;
     std::array<Layers, sample_groups> group; // as in Estimate
     Image mask;
@@ -35,9 +36,17 @@ std::optional<Truth> load_truth(const std::filesystem::path& file, const std::st
                                 std::vector<std::string>& warnings);
 void store_truth(const std::filesystem::path& file, const std::string& key, const Truth& truth);
 
-// Rendered, or found in `folder` (empty: no cache). A cache that cannot be written is a warning.
+// Called with the number of samples that there are; false: stop.
+using TruthWatch = std::function<bool(int spp)>;
+
+// Size, samples and components of the truth in a file, from its first bytes; nothing where it is damaged.
+struct CachedFile;
+void describe_truth(CachedFile& file);
+
+// Rendered, or found in `folder` (empty: no cache). One that is stopped leaves a checkpoint there, from which
+// the next call goes on. A cache that cannot be written is a warning.
 Truth find_truth(const RayCaster& rays, const ReferenceRequest& request, const std::filesystem::path& folder,
-                 std::vector<std::string>& warnings);
+                 std::vector<std::string>& warnings, const TruthWatch& watch = {});
 
 // The same for any renderer: `key` says all that its image depends on.
 Truth find_truth(const std::string& key, const std::filesystem::path& folder,

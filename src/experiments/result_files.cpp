@@ -55,6 +55,7 @@ void PictureFiles::write(const std::filesystem::path& folder, const ViewPictures
     write_exr(folder / "reference.exr", reference, metadata);
     write_png(folder / "reference.png", p.target.shown);
     for (std::size_t i = 0; i < p.rows.size(); ++i) {
+        if (!p.result.rows[i].unmeasured.empty()) continue; // it would be the baseline's
         const Image& shown = p.rows[i].shown;
         write_exr(folder / (file_names_[i] + ".exr"), {{"", p.rows[i].radiance}},
                   exr_metadata(p, file_names_[i]));

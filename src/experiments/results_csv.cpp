@@ -49,8 +49,17 @@ std::string line_of(const SceneEntry& scene, const ViewResult& view, const RowNa
                     view.width, view.height, cell(name.label), cell(name.name));
     for (const std::string& column : parameters) line += "," + cell(value_of(name, column));
     for (const FigureColumn& column : figure_columns) line += fmt::format(",{}", row.figures.*column.member);
-    line += fmt::format(",{},{},{},{},{},{},{}\n", int(row.claimed), row.memory_bytes, view.reference_spp,
-                        view.noise, view.exposure, row.ms, view.reference_seconds);
+    line += fmt::format(",{}", int(row.claimed));
+    if (row.own)
+        line += fmt::format(",{},{},{},{},{}", row.own->component, row.own->figures.delta,
+                            row.own->figures.gain, row.own->figures.gain_error, int(row.own->claimed));
+    else
+        line += ",,,,,";
+    const RowCost& cost = row.cost;
+    line += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(row.unmeasured),
+                        row.memory_bytes, view.reference_spp, view.noise, view.exposure, row.ms, cost.base.ms,
+                        cost.base.low, cost.base.high, cost.technique.ms, cost.technique.low,
+                        cost.technique.high, cost.preparation, view.reference_seconds);
     return line;
 }
 
@@ -61,7 +70,9 @@ std::string results_csv(const ExperimentResult& result) {
     std::string text = "scene,group,view,width,height,label,technique";
     for (const std::string& column : parameters) text += "," + cell(column);
     for (const FigureColumn& column : figure_columns) text += fmt::format(",{}", column.name);
-    text += ",claimed,memory_bytes,reference_spp,reference_noise,exposure,ms,reference_seconds\n";
+    text += ",claimed,own_component,own_delta,own_gain,own_gain_error,own_claimed,unmeasured,memory_bytes,"
+            "reference_spp,reference_noise,exposure,ms,base_ms,base_low,base_high,technique_ms,technique_low,"
+            "technique_high,preparation_seconds,reference_seconds\n";
     for (std::size_t s = 0; s < result.scenes.size(); ++s)
         for (const ViewResult& view : result.scenes[s].views)
             for (std::size_t row = 0; row < view.rows.size(); ++row)

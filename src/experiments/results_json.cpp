@@ -30,11 +30,52 @@ Json to_json(const Camera& camera) {
     return json;
 }
 
+Json figures_to_json(const Figures& figures) {
+    Json json = Json::object();
+    for (const FigureColumn& column : figure_columns) json[column.name] = number(figures.*column.member);
+    return json;
+}
+
+Figures figures_from_json(const Json& json) {
+    constexpr double infinity = std::numeric_limits<double>::infinity(),
+                     none = std::numeric_limits<double>::quiet_NaN();
+    Figures figures;
+    for (const FigureColumn& column : figure_columns) {
+        const Json& value = json.at(column.name);
+        figures.*column.member = !value.is_null()                  ? value.get<double>()
+                                 : column.member == &Figures::psnr ? infinity
+                                                                   : none;
+    }
+    return figures;
+}
+
+Json to_json(const Spread& s) { return {{"ms", s.ms}, {"low", s.low}, {"high", s.high}}; }
+Spread spread_from_json(const Json& json) { return {json.at("ms"), json.at("low"), json.at("high")}; }
+
+Json to_json(const std::optional<OwnResult>& own) {
+    if (!own) return nullptr;
+    Json json = {{"component", own->component}, {"claimed", own->claimed}};
+    json.update(figures_to_json(own->figures));
+    return json;
+}
+
+std::optional<OwnResult> own_from_json(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    return OwnResult{json.at("component"), figures_from_json(json), json.at("claimed")};
+}
+
 Json to_json(const RowName& name, const RowResult& row) {
     Json json = {{"name", name.name}, {"label", name.label}, {"parameters", luxel::to_json(name.parameters)}};
-    for (const FigureColumn& column : figure_columns) json[column.name] = number(row.figures.*column.member);
+    json.update(figures_to_json(row.figures));
     json.update({{"claimed", row.claimed},
+                 {"unmeasured", row.unmeasured.empty() ? Json(nullptr) : Json(row.unmeasured)},
+                 {"views", row.views},
+                 {"own", to_json(row.own)},
                  {"ms", row.ms},
+                 {"cost",
+                  {{"base", to_json(row.cost.base)},
+                   {"technique", to_json(row.cost.technique)},
+                   {"preparation", row.cost.preparation}}},
                  {"passes", Json::array()},
                  {"memory_bytes", row.memory_bytes}});
     for (const gpu::PassTime& pass : row.passes)
@@ -44,15 +85,14 @@ Json to_json(const RowName& name, const RowResult& row) {
 
 RowResult row_from_json(const Json& json) {
     RowResult row;
-    for (const FigureColumn& column : figure_columns) {
-        const Json& value = json.at(column.name);
-        constexpr double infinity = std::numeric_limits<double>::infinity(),
-                         none = std::numeric_limits<double>::quiet_NaN();
-        row.figures.*column.member = !value.is_null()                  ? value.get<double>()
-                                     : column.member == &Figures::psnr ? infinity
-                                                                       : none;
-    }
+    row.figures = figures_from_json(json);
     row.claimed = json.at("claimed");
+    if (!json.at("unmeasured").is_null()) row.unmeasured = json.at("unmeasured");
+    row.views = json.at("views");
+    row.own = own_from_json(json.at("own"));
+    const Json& cost = json.at("cost");
+    row.cost = {spread_from_json(cost.at("base")), spread_from_json(cost.at("technique")),
+                cost.at("preparation")};
     row.ms = json.at("ms");
     row.memory_bytes = json.at("memory_bytes");
     for (const Json& pass : json.at("passes")) row.passes.push_back({pass.at("name"), pass.at("ms")});
@@ -123,6 +163,7 @@ Json to_json(const std::vector<RowName>& names, const ViewResult& view) {
             {"size", {view.width, view.height}},
             {"camera", to_json(view.camera)},
             {"exposure", view.exposure},
+            {"partial", view.partial},
             {"reference",
              {{"spp", view.reference_spp},
               {"seconds", view.reference_seconds},
@@ -164,6 +205,7 @@ Json to_json(const ExperimentResult& result) {
                    {"type", result.device.type},
                    {"api_version", result.device.api_version}}},
                  {"missing", result.missing},
+                 {"interrupted", result.interrupted},
                  {"scenes", Json::array()},
                  {"mean", to_json(result.rows, result.mean)},
                  {"mean_noise", result.mean_noise},

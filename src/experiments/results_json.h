@@ -7,7 +7,7 @@
 
 namespace luxel {
 
-inline constexpr int results_schema_version = 2;
+inline constexpr int results_schema_version = 3;
 
 // The figures of a row by their names in results.json and results.csv, in order.
 struct FigureColumn {

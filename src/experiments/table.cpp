@@ -11,21 +11,61 @@ namespace {
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 
+bool any_own(const std::vector<RowResult>& rows, const std::string& asked) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const RowResult& r) { return r.own && r.own->component != asked; });
+}
+
+std::string gain_text(const Figures& figures, bool claimed) {
+    return fmt::format("{}{:.2f}", figures.gain > 0 && !claimed ? "~" : "", figures.gain);
+}
+
+// The base frame's spread stands in the baseline's line, a technique's in its own.
+std::vector<std::string> cost_cells(const RowResult& row, bool baseline) {
+    const Spread& spread = baseline ? row.cost.base : row.cost.technique;
+    return {fmt::format("{:.2f}", row.cost.base.ms), baseline ? "-" : fmt::format("{:.2f}", spread.ms),
+            fmt::format("{:.2f}-{:.2f}", spread.low, spread.high),
+            baseline ? "-" : fmt::format("{:.2f}", row.cost.preparation),
+            fmt::format("{:.1f}", double(row.memory_bytes) / mebibyte)};
+}
+
 std::string rows_table(const ExperimentResult& result, const std::vector<RowResult>& rows) {
-    std::vector<std::vector<std::string>> cells = {
-        {"technique", "delta", "gain %", "+-", "rho", "improved %", "RMSE", "FLIP", "ms", "MiB"}};
+    const std::string asked = fmt::format("{}", fmt::join(result.experiment.truth.components, "+"));
+    const bool own = any_own(rows, asked);
+    std::vector<std::string> head = {"technique", "delta", "gain %", "+-"};
+    if (own) head.insert(head.end(), {"own %", "+-"});
+    head.insert(head.end(),
+                {"rho", "improved %", "RMSE", "FLIP", "base ms", "adds ms", "quartiles", "prepare s", "MiB"});
+    std::vector<std::vector<std::string>> cells = {head};
+    std::string notes;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Figures& f = rows[i].figures;
-        const bool hidden = i > 0 && f.gain > 0 && !rows[i].claimed;
-        cells.push_back({result.rows[i].label, fmt::format("{:.5f}", f.delta),
-                         i == 0 ? "-" : fmt::format("{}{:.2f}", hidden ? "~" : "", f.gain),
-                         i == 0 ? "-" : fmt::format("{:.2f}", f.gain_error), fmt::format("{:.4f}", f.rho),
-                         i == 0 ? "-" : fmt::format("{:.2f}", 100 * f.improved),
-                         fmt::format("{:.5f}", f.rmse), fmt::format("{:.4f}", f.flip),
-                         fmt::format("{:.2f}", rows[i].ms),
-                         fmt::format("{:.1f}", double(rows[i].memory_bytes) / mebibyte)});
+        const RowResult& row = rows[i];
+        const Figures& f = row.figures;
+        std::vector<std::string> line = {result.rows[i].label};
+        if (!row.unmeasured.empty()) {
+            line.resize(head.size(), "-");
+            cells.push_back(line);
+            notes += fmt::format("{} {}\n", result.rows[i].label, row.unmeasured);
+            continue;
+        }
+        line.push_back(fmt::format("{:.5f}", f.delta));
+        line.push_back(i == 0 ? "-" : gain_text(f, row.claimed));
+        line.push_back(i == 0 ? "-" : fmt::format("{:.2f}", f.gain_error));
+        if (own) {
+            line.push_back(row.own ? gain_text(row.own->figures, row.own->claimed) : "-");
+            line.push_back(row.own ? fmt::format("{:.2f}", row.own->figures.gain_error) : "-");
+        }
+        for (std::string& text :
+             std::vector{fmt::format("{:.4f}", f.rho), i == 0 ? "-" : fmt::format("{:.2f}", 100 * f.improved),
+                         fmt::format("{:.5f}", f.rmse), fmt::format("{:.4f}", f.flip)})
+            line.push_back(std::move(text));
+        for (std::string& text : cost_cells(row, i == 0)) line.push_back(std::move(text));
+        cells.push_back(line);
+        if (row.own && row.own->component != asked)
+            notes +=
+                fmt::format("own of {}: the gain against {}\n", result.rows[i].label, row.own->component);
     }
-    return format_table(cells);
+    return format_table(cells) + notes;
 }
 
 bool any_hidden(const std::vector<RowResult>& rows) {
@@ -100,6 +140,13 @@ std::string format_result(const ExperimentResult& result, bool verbose) {
                "1.96 of it\n";
     if (views > 1 && !result.summary.empty())
         out += "\nAll views of a group\n" + summary_table(result.summary);
+    if (result.interrupted)
+        out += "\nThe run was stopped: this is a partial result; the same command goes on from here.\n";
+    for (std::size_t s = 0; s < result.scenes.size(); ++s)
+        for (const ViewResult& view : result.scenes[s].views)
+            if (view.partial)
+                out += fmt::format("{} is partial: {} of {} samples of its truth\n", view.camera.name,
+                                   view.reference_spp, e.truth.spp);
     if (result.missing > 0)
         out += fmt::format("\n{} views are left; the same command goes on with them\n", result.missing);
     if (verbose) out += passes_table(result);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "core/error.h"
+#include "experiments/components.h"
 #include "experiments/picture_row.h"
 
 namespace luxel {
@@ -49,6 +51,8 @@ TechniqueRow parse_use(std::string_view text) {
             p.name.insert(0, prefix);
             row.parameters.push_back(std::move(p));
         }
+        for (std::string& warning : idle_parameters(*technique, specification.name, specification.values))
+            row.warnings.push_back(std::move(warning));
         row.name += (row.name.empty() ? "" : "+") + specification.name;
         row.techniques.push_back(std::move(technique));
     }
@@ -79,15 +83,59 @@ std::string with_parameter(std::string_view use, std::string_view key, std::stri
 std::vector<TechniqueRow> parse_uses(const std::vector<std::string>& texts) {
     std::vector<TechniqueRow> rows;
     rows.push_back(baseline_row());
+    const auto known = [&](std::string_view text) {
+        return std::any_of(rows.begin(), rows.end(),
+                           [&](const TechniqueRow& row) { return row.label == text; });
+    };
     for (const std::string& text : texts) {
         if (text == baseline_name) continue; // always there
+        if (text == all_uses) {
+            for (const TechniqueInfo& info : all_techniques()) {
+                if (known(info.name)) continue;
+                rows.push_back(parse_use(info.name));
+                rows.back().of_all = true;
+            }
+            continue;
+        }
         TechniqueRow next = is_picture_use(text) ? parse_picture_use(text) : parse_use(text);
-        for (const TechniqueRow& row : rows)
-            if (row.label == next.label)
-                fail(Fault::usage, "--use {}: this row is there already", next.label);
+        if (known(next.label)) fail(Fault::usage, "--use {}: this row is there already", next.label);
         rows.push_back(std::move(next));
     }
     return rows;
+}
+
+void mark_idle(std::vector<TechniqueRow>& rows, const Scene& scene, const FrameOptions& frame) {
+    for (TechniqueRow& row : rows) {
+        std::optional<std::string> why;
+        for (const auto& technique : row.techniques) {
+            const std::optional<std::string> one = why_idle(*technique, scene, frame);
+            if (!one) why.reset();
+            if (!one) break;
+            if (!why) why = one;
+        }
+        row.idle = why.value_or("");
+    }
+}
+
+std::vector<std::string> idle_parts(const TechniqueRow& row, const Scene& scene, const FrameOptions& frame) {
+    std::vector<std::string> sentences;
+    if (!row.idle.empty()) return sentences;
+    for (const auto& technique : row.techniques)
+        if (const auto why = why_idle(*technique, scene, frame))
+            sentences.push_back(fmt::format("--use {}: the technique of the slot '{}' cannot act here: {}",
+                                            row.label, slot_name(technique->slot()), *why));
+    return sentences;
+}
+
+std::vector<std::string> own_components(const TechniqueRow& row) {
+    std::set<std::string> components = {"direct"};
+    for (const auto& technique : row.techniques)
+        for (std::string& component : technique->components())
+            if (component != "ao")
+                components.insert(std::move(component)); // it weighs a part of direct light
+    std::vector<std::string> own = without_parts(components);
+    std::stable_partition(own.begin(), own.end(), [](const std::string& name) { return name == "direct"; });
+    return own;
 }
 
 } // namespace luxel

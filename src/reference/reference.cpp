@@ -26,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int tile_side = 16;
 constexpr int pass_samples = 32;          // between looks at the clock for a checkpoint
 constexpr double checkpoint_seconds = 30; // at most so much work is lost
+constexpr double watched_seconds = 0.25;  // about so long is a pass that somebody watches
 constexpr int photons_at_once = 1 << 21;  // traced before the samples that look at them
 constexpr int passes_at_once = 8;
 constexpr int runs_for_variance = 8;
@@ -160,6 +161,16 @@ bool is_enough(const ReferenceRequest& request, const Film& film, int spp) {
     return error && error->value + error->uncertainty < double(request.settings.error);
 }
 
+// Where somebody watches, passes are as short as the speed so far allows.
+int watched_pass(const ReferenceRequest& request, int next, int done, double seconds) {
+    if (!request.watch) return next;
+    const double a_second = done > 0 ? double(done) / std::max(seconds, 1e-6) : 0.0;
+    return std::clamp(int(std::min(a_second * watched_seconds, 1e6)), 1, next);
+}
+
+// A run that has just begun has little to lose, but the first seconds of a long one should not be lost.
+double checkpoint_after(double seconds) { return std::clamp(seconds, 2.0, checkpoint_seconds); }
+
 } // namespace
 
 void ReferenceSettings::visit(Visitor& v) {
@@ -251,13 +262,15 @@ Estimate render_reference(const RayCaster& rays, const ReferenceRequest& asked) 
 
     // Every pixel adds its samples in order, whichever thread it meets: the sums do not depend on scheduling.
     while (spp < settings.spp && !is_enough(request, film, spp)) {
-        const int count = next_pass(settings, spp);
+        const int count =
+            watched_pass(request, next_pass(settings, spp), spp - found.spp, seconds_since(start));
         if (by_photons.size() < request.components.size())
             add_paths(tracer, photons, request, spp, count, film);
         if (caustics) add_photons(*caustics, request.components, spp, count, film);
         spp += count;
         progress.update(double(spp) / settings.spp);
-        if (seconds_since(last_save) > checkpoint_seconds) save();
+        if (seconds_since(last_save) > checkpoint_after(seconds_since(start))) save();
+        if (request.watch && !request.watch(spp)) break;
         if (settings.seconds > 0.0f && seconds_since(start) >= settings.seconds) break;
     }
     save();

@@ -117,8 +117,9 @@ struct ReferenceRequest {
     int width = 0, height = 0;
     Camera camera;
     ReferenceSettings settings;
-    std::filesystem::path checkpoint; // resumed from and written to when not empty
-    bool quiet = true;                // no progress
+    std::filesystem::path checkpoint;     // resumed from and written to when not empty
+    std::function<bool(int spp)> watch{}; // called after every pass, which is short then; false: stop there
+    bool quiet = true;                    // no progress
 };
 
 // 1 where the ray through the pixel's center meets a surface between the camera's near and far.

@@ -41,6 +41,16 @@ bool is_specular(const Material& m) {
     return shared::signed_ior(m.metallic, m.roughness, transmission, m.ior, m.thin) != 0.0f;
 }
 
+bool has_specular_surface(const Scene& scene) {
+    return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        const Material& m = scene.materials[std::size_t(mesh.material)];
+        // Textures are factors of at most 1.
+        const float roughness = m.metallic_roughness_texture.texture >= 0 ? 0.0f : m.roughness;
+        return shared::signed_ior(m.metallic, roughness, m.transmission, m.ior, m.thin) != 0.0f;
+    });
+}
+
 std::vector<SceneObject> dynamic_objects(const Scene& scene) {
     return objects_by_role(scene, "dynamic", false);
 }

@@ -21,6 +21,8 @@ std::vector<SceneObject> dynamic_objects(const Scene& scene);
 std::vector<SceneObject> specular_objects(const Scene& scene);
 // By the material's factors, textures aside (shared::signed_ior).
 bool is_specular(const Material& material);
+// Whether textures could make a part of a surface of the scene so.
+bool has_specular_surface(const Scene& scene);
 
 // Instances that share an impostor: those of one role with equal settings; without a role each has its own.
 struct ImpostorObject {

@@ -27,6 +27,13 @@ const std::vector<TechniqueInfo>& all_techniques() {
     return table;
 }
 
+std::optional<std::string> why_idle(const Technique& technique, const Scene& scene,
+                                    const FrameOptions& frame) {
+    for (const Need& need : technique.needs(scene, frame))
+        if (!need.met) return fmt::format("it needs {}", need.what);
+    return std::nullopt;
+}
+
 std::unique_ptr<Technique> make_technique(const Specification& specification) {
     const std::vector<TechniqueInfo>& known = all_techniques();
     auto found =

@@ -16,6 +16,7 @@ namespace luxel {
 
 struct Capture;
 struct Frame;
+struct FrameOptions;
 
 // Order of rendering and composition. Two techniques for one slot is an error, unless they have different
 // receivers.
@@ -32,10 +33,24 @@ struct Contribution {
     bool from_afar = false;   // the accessibility of the occlusion slot multiplies `radiance`, too
 };
 
+// A condition without which a technique changes no pixel.
+struct Need {
+    std::string what; // "a mirror or glass"
+    bool met;
+};
+
 class Technique {
 public:
     virtual ~Technique() = default;
     virtual Slot slot() const = 0;
+
+    // What it computes, by the reference's names of light paths: the truth that it can reach is direct light
+    // plus these. "ao" where it delivers an accessibility; "direct" where it changes what direct light falls
+    // on.
+    virtual std::vector<std::string> components() const { return {}; }
+    // All of its needs, met or not: the first is named where a row cannot act.
+    virtual std::vector<Need> needs(const Scene&, const FrameOptions&) const { return {}; }
+
     virtual void visit(Visitor&) {}                  // knobs: see core/parameters.h
     virtual void prepare(gpu::Gpu&, const Scene&) {} // once per scene
     virtual Contribution render(gpu::Recorder& recorder, const Frame& frame) = 0; // once per frame
@@ -64,6 +79,10 @@ struct TechniqueInfo {
     std::unique_ptr<Technique> (*make)();
 };
 const std::vector<TechniqueInfo>& all_techniques();
+
+// "it needs a mirror or glass"; nothing where the technique can act.
+std::optional<std::string> why_idle(const Technique& technique, const Scene& scene,
+                                    const FrameOptions& frame);
 
 // Made and configured. Error Fault::usage: unknown name (the known are listed) or unknown parameter.
 std::unique_ptr<Technique> make_technique(const Specification& specification);

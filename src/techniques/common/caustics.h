@@ -43,6 +43,10 @@ struct CausticMap {
 class CausticTechnique : public Technique {
 public:
     Slot slot() const override { return Slot::caustics; }
+    std::vector<std::string> components() const override { return {"caustics"}; }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions&) const override {
+        return {specular_need(specular_objects(scene)), light_need(scene, options_.lights)};
+    }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
     void light(gpu::Recorder& recorder, const Frame& frame, const std::vector<Capture>& captures) override;

@@ -10,12 +10,19 @@
 
 namespace luxel {
 
-void CubeTraceOptions::visit(Visitor& v) {
+void CubeTraceOptions::visit(Visitor& v, CubeSearch search) {
+    const auto marched = [&](const auto& declare) {
+        v.only_if(search >= CubeSearch::linear, "search=linear, secant or binary", declare);
+    };
     v.integer("size", size, {16, 2048}, "texels a side of a cube face; rounded up to a power of two");
-    v.choice("near", near, {"peeled", "faces"},
-             "layers of specular surfaces: by depth, or front and back sides");
-    v.integer("layers", layers, {1, 8}, "specular layers when peeled");
-    v.integer("linear", linear, {1, 4096}, "linear steps at most, for a half turn around the center");
+    marched([&] {
+        v.choice("near", near, {"peeled", "faces"},
+                 "layers of specular surfaces: by depth, or front and back sides");
+        v.only_if(near == NearLayers::peeled, "near=peeled", [&] {
+            v.integer("layers", layers, {1, 8}, "specular layers when peeled");
+        });
+        v.integer("linear", linear, {1, 4096}, "linear steps at most, for a half turn around the center");
+    });
     v.integer("refine", refine, {0, 64}, "secant, binary or parallax steps");
     v.real("jump", jump, {0.001, 1000}, "change of distance over two texels, as a share, that is a gap");
     v.integer("depth", depth, {1, 8}, "specular surfaces on a path, the first included");
@@ -29,6 +36,10 @@ void CubePathOptions::visit(Visitor& v) {
              "refine step");
     v.real("least_weight", least_weight, {0, 1}, "branches that would add less than this share are dropped");
     v.flag("both", both, "follow reflection and refraction; off: the greater of them");
+}
+
+Need specular_need(const std::vector<SceneObject>& specular) {
+    return {"a mirror, smooth metal or glass", !specular.empty()};
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "scene/roles.h"
 #include "techniques/common/cube_trace_params.h"
 #include "techniques/common/distance_cube.h"
+#include "techniques/technique.h"
 
 namespace luxel {
 
@@ -26,7 +27,7 @@ struct CubeTraceOptions {
     float jump = 0.3f;
     int depth = 6;
     DistanceMaps maps = DistanceMaps::each;
-    void visit(Visitor& v);
+    void visit(Visitor& v, CubeSearch search = CubeSearch::secant); // that they are marched by
 };
 
 // How paths from the camera use it.
@@ -36,6 +37,8 @@ struct CubePathOptions {
     bool both = true;
     void visit(Visitor& v);
 };
+
+Need specular_need(const std::vector<SceneObject>& specular);
 
 // The world bounds of what each cube is for: of more than CUBE_MAX_OBJECTS objects, those close together
 // share one.

@@ -5,6 +5,8 @@
 
 #include "core/parameters.h"
 #include "scene/scene.h"
+#include "techniques/frame/frame.h"
+#include "techniques/technique.h"
 
 namespace luxel {
 
@@ -15,5 +17,9 @@ struct LightSamples {
 
 // As they stand in this frame: emitters move with their instances.
 std::vector<shared::Light> lights_with_samples(const Scene& scene, const LightSamples& samples);
+
+// A light that starts paths: one of these, or one of the frame's.
+Need light_need(const Scene& scene, const LightSamples& samples);
+Need light_need(const Scene& scene, const FrameOptions& frame);
 
 } // namespace luxel

@@ -16,8 +16,10 @@ void OcclusionOptions::visit(Visitor& v) {
              "interleaved: taps turn within blocks of 4x4 pixels, which a filter averages; none: neither");
     v.real("thickness", thickness, {0.001, 1e6},
            "radii behind a visible surface that count as solid; farther behind is open");
-    v.real("depth_limit", depth_limit, {0.0001, 1e6},
-           "radii of depth off a pixel's plane beyond which the filter leaves neighbors out");
+    v.only_if(pattern == OcclusionPattern::interleaved, "pattern=interleaved", [&] {
+        v.real("depth_limit", depth_limit, {0.0001, 1e6},
+               "radii of depth off a pixel's plane beyond which the filter leaves neighbors out");
+    });
 }
 
 namespace {

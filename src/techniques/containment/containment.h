@@ -2,14 +2,12 @@
 // Ambient occlusion by containment tests [Umenhoffer2009, 4.1.1]: points of the neighborhood are inside or
 // outside of what the depth buffer shows.
 #pragma once
-#include "techniques/common/occlusion.h"
-#include "techniques/technique.h"
+#include "techniques/common/occlusion_technique.h"
 
 namespace luxel {
 
-class Containment final : public Technique {
+class Containment final : public OcclusionTechnique {
 public:
-    Slot slot() const override { return Slot::occlusion; }
     void visit(Visitor& v) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

@@ -5,7 +5,7 @@ namespace luxel {
 
 void DistanceMap::visit(Visitor& v) {
     paths_.visit(v);
-    options_.visit(v);
+    options_.visit(v, paths_.search);
     v.flag("indirect", indirect_,
            "mirrors and glass also show ambient light and what the frame's other techniques light");
 }

@@ -12,6 +12,10 @@ class DistanceMap final : public Technique {
 public:
     Slot slot() const override { return Slot::specular; }
     bool takes_parallel_views() const override { return true; }
+    std::vector<std::string> components() const override { return {"reflections"}; }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions&) const override {
+        return {specular_need(specular_objects(scene))};
+    }
     void visit(Visitor& v) override;
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

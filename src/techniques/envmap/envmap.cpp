@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/envmap/envmap.h"
 
+#include "techniques/common/light_samples.h"
 #include "techniques/envmap/probes.h"
 #include "techniques/frame/object_depth.h"
 
@@ -12,24 +13,41 @@ void EnvmapOptions::visit(Visitor& v) {
     v.choice(
         "estimator", estimator, {"classic", "point", "disc", "polygon"},
         "irradiance of the map's texels: by normal alone, as points, bounded as discs, exact as polygons");
-    v.choice(
-        "horizon", horizon, {"clip", "clamp_sum", "thesis"},
-        "polygons across the horizon: clipped; the sum clamped; each edge clamped, estimator=polygon only");
-    v.choice("corner", corner, {"exact", "averaged"},
-             "distances of the polygons' corners: of the captured map, or of the reduced one");
-    v.choice("radiance", radiance, {"texel", "corners"},
-             "of a polygon: its texel's, or the mean of those that meet at its corners");
+    v.only_if(estimator == EnvmapEstimator::polygon, "estimator=polygon", [&] {
+        v.choice("horizon", horizon, {"clip", "clamp_sum", "thesis"},
+                 "polygons across the horizon: clipped; the sum clamped; each edge clamped");
+        v.choice("corner", corner, {"exact", "averaged"},
+                 "distances of the polygons' corners: of the captured map, or of the reduced one");
+        v.choice("radiance", radiance, {"texel", "corners"},
+                 "of a polygon: its texel's, or the mean of those that meet at its corners");
+    });
     v.choice("light", light, {"bounce", "all"},
              "bounce: direct light that diffuse lobes reflect; all: also emission, highlights, environment");
     v.integer("texels", texels, {1, 16}, "a side of a reduced face, a power of two; 6 texels^2 senders");
     v.integer("size", size, {16, 1024}, "texels a side of a captured face, a power of two");
     v.choice("probes", probes, {"objects", "grid"},
              "objects: one for each object whose role begins with \"dynamic\"; grid: for the whole scene");
-    v.flag(
-        "glossy", glossy,
-        "also what rough specular lobes reflect, by one look-up in a prefiltered map, probes=objects only");
-    v.integer("grid", grid, {1, 16}, "probes along the scene's longest side, probes=grid only");
+    v.only_if(probes == EnvmapProbes::objects, "probes=objects", [&] {
+        v.flag("glossy", glossy,
+               "also what rough specular lobes reflect, by one look-up in a prefiltered map");
+    });
+    v.only_if(probes == EnvmapProbes::grid, "probes=grid", [&] {
+        v.integer("grid", grid, {1, 16}, "probes along the scene's longest side");
+    });
     v.flag("occlusion", occlusion, "times what the occlusion slot leaves open");
+}
+
+std::vector<std::string> Envmap::components() const {
+    if (options_.glossy) return {"diffuse1", "specular"};
+    return {"diffuse1"};
+}
+
+// With light=all what emitters and the environment send counts whether or not the frame samples them.
+std::vector<Need> Envmap::needs(const Scene& scene, const FrameOptions& frame) const {
+    const bool objects = options_.probes == EnvmapProbes::grid || !dynamic_objects(scene).empty();
+    return {{"an object whose role begins with \"dynamic\", or probes=grid", objects},
+            options_.light == EnvmapLight::all ? light_need(scene, LightSamples{})
+                                               : light_need(scene, frame)};
 }
 
 namespace {

@@ -36,6 +36,8 @@ public:
         return options_.probes == EnvmapProbes::grid ? Receivers::all : Receivers::dynamic_objects;
     }
     bool takes_parallel_views() const override { return true; }
+    std::vector<std::string> components() const override;
+    std::vector<Need> needs(const Scene& scene, const FrameOptions& frame) const override;
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

@@ -101,5 +101,7 @@ struct FrameOptions {
     bool mipmaps = true; // false: mip 0 only, as the reference looks textures up
     void visit(Visitor& v);
 };
+// Whether the environment lights the frame as the ambient term.
+bool has_ambient_light(const Scene& scene, const FrameOptions& options);
 
 } // namespace luxel

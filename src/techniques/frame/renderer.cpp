@@ -45,9 +45,8 @@ struct Renderer::Data {
     void divide_receivers(gpu::Recorder& recorder, const Frame& frame,
                           const std::vector<Technique*>& techniques,
                           const std::vector<Contribution>& contributions) const;
-    bool has_ambient() const {
-        return options.environment == EnvironmentMode::ambient && !scene.environment.empty();
-    }
+    bool has_ambient() const { return has_ambient_light(scene, options); }
+    void check_size(const RenderRequest& request) const;
     gpu::Image compose(gpu::Recorder& recorder, const Frame& frame,
                        const std::vector<Contribution>& contributions, const gpu::Image& accessibility) const;
     void lay_over(gpu::Recorder& recorder, const Seen& seen, const gpu::Image& radiance) const;
@@ -286,12 +285,30 @@ void Renderer::update_motion() {
     data_->direct = DirectLight(data_->scene, data_->options);
 }
 
-RenderResult Renderer::render(const RenderRequest& request) {
-    const int samples = data_->options.supersample, most = max_image_side / samples;
+void Renderer::Data::check_size(const RenderRequest& request) const {
+    const int samples = options.supersample, most = max_image_side / samples;
     if (request.width < 1 || request.height < 1 || request.width > most || request.height > most)
         fail(Fault::usage, "{}x{}: the image size must be 1 to {} on both sides{}", request.width,
              request.height, most, samples > 1 ? fmt::format(" with supersample={}", samples) : "");
+}
+
+BaseFrame Renderer::base(const RenderRequest& request) {
     Data& d = *data_;
+    d.check_size(request);
+    d.gpu.reset_memory_peak();
+    d.shadows.begin_frame();
+    gpu::Recorder recorder(d.gpu);
+    Data::Seen seen = d.make_frame(recorder, request);
+    BaseFrame base{.frame = std::move(seen.frame), .layers = std::move(seen.layers)};
+    base.passes = sum_by_name(recorder.submit());
+    d.shadows.end_frame();
+    base.memory_bytes = d.gpu.memory().peak;
+    return base;
+}
+
+RenderResult Renderer::render(const RenderRequest& request) {
+    Data& d = *data_;
+    d.check_size(request);
     std::vector<Technique*> techniques = by_slot(request.techniques);
     check_projection(request.camera, techniques, !d.impostors.empty());
     for (Technique* t : techniques) {
@@ -304,7 +321,8 @@ RenderResult Renderer::render(const RenderRequest& request) {
     d.gpu.reset_memory_peak();
     d.shadows.begin_frame();
     gpu::Recorder recorder(d.gpu);
-    Renderer::Data::Seen seen = d.make_frame(recorder, request);
+    Renderer::Data::Seen seen = request.base ? Renderer::Data::Seen{request.base->frame, request.base->layers}
+                                             : d.make_frame(recorder, request);
     const Frame& frame = seen.frame;
     std::vector<Contribution> contributions;
     seen.frame.add_indirect = [&](gpu::Recorder& r, const std::vector<Capture>& captures) {
@@ -324,6 +342,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
     result.passes = sum_by_name(recorder.submit());
     d.shadows.end_frame();
     result.memory_bytes = d.gpu.memory().peak;
+    if (!request.read) return result;
     result.radiance = without_alpha(d.gpu.read(radiance));
     Image depth = d.gpu.read(frame.gbuffer.depth);
     if (!seen.layers.empty()) { // the first layer has something wherever any has

@@ -12,6 +12,14 @@
 
 namespace luxel {
 
+// What a camera sees before any technique: several renders of the same camera can share it.
+struct BaseFrame {
+    Frame frame;
+    std::vector<Capture> layers; // what covers a part of its pixels
+    std::vector<gpu::PassTime> passes;
+    std::uint64_t memory_bytes = 0; // peak of its images and buffers, scene included
+};
+
 struct RenderRequest {
     Camera camera;
     int width = 0, height = 0;
@@ -21,6 +29,9 @@ struct RenderRequest {
     std::vector<std::string> images; // names of intermediate images to read back ("depth", "isr irradiance",
                                      // ...), as large as they are, supersampled ones with all their samples
     bool accessibility = false;      // read back what composition multiplies the ambient term by
+    bool read = true;                // false: only times and memory are of interest, no image is read back
+    const BaseFrame* base = nullptr; // of the same camera and size, instead of drawing it: then the passes
+                                     // are the techniques' and composition's alone, and `images` is of those
 };
 
 struct RenderResult {
@@ -39,6 +50,9 @@ public:
     Renderer(gpu::Gpu& gpu, const Scene& scene, const FrameOptions& options);
     ~Renderer();
     RenderResult render(const RenderRequest& request);
+    // The first part of it, for RenderRequest::base: how height maps are searched is the techniques' of this
+    // request. It is of use while nothing moves and the renderer lives.
+    BaseFrame base(const RenderRequest& request);
     // To be called when instances' transforms or lights of the scene have changed. Techniques are not
     // prepared again.
     void update_motion();

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Ground-truth ambient occlusion [Jimenez2016]: cosine-weighted openness between horizons.
 #pragma once
-#include "techniques/common/occlusion.h"
+#include "techniques/common/occlusion_technique.h"
 #include "techniques/gtao/gtao_params.h"
-#include "techniques/technique.h"
 
 namespace luxel {
 
-class Gtao final : public Technique {
+class Gtao final : public OcclusionTechnique {
 public:
-    Slot slot() const override { return Slot::occlusion; }
     void visit(Visitor& v) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

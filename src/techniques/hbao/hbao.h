@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Horizon-based ambient occlusion [Bavoil2008]: open solid angle between horizons.
 #pragma once
-#include "techniques/common/occlusion.h"
+#include "techniques/common/occlusion_technique.h"
 #include "techniques/hbao/hbao_params.h"
-#include "techniques/technique.h"
 
 namespace luxel {
 
 enum class HbaoFalloff { none, quadratic };
 
-class Hbao final : public Technique {
+class Hbao final : public OcclusionTechnique {
 public:
-    Slot slot() const override { return Slot::occlusion; }
     void visit(Visitor& v) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "techniques/common/blur.h"
+#include "techniques/common/light_samples.h"
 #include "techniques/isr/compose_params.h"
 #include "techniques/isr/gather.h"
 #include "techniques/isr/patches.h"
@@ -22,17 +23,25 @@ void IsrOptions::visit(Visitor& v) {
     v.real("blur", blur, {0, 16}, "Gaussian sigma in coarse pixels; 0 = none");
     v.real("grazing", grazing, {0.001, 1}, "least cosine between a patch and the view ray");
     v.real("ao_radius", ao_radius, {0.001, 1000}, "meters within which patches block ambient light");
-    v.real("spacing", spacing, {1, 64}, "coarse pixels between the offsets, mode=thesis only");
-    v.real("k_isr", k_isr, {0, 10}, "indirect power, mode=thesis only");
-    v.real("k_ssao", k_ssao, {0, 1}, "occlusion power, mode=thesis only");
+    v.only_if(mode == IsrMode::thesis, "mode=thesis", [&] {
+        v.real("spacing", spacing, {1, 64}, "coarse pixels between the offsets");
+        v.real("k_isr", k_isr, {0, 10}, "indirect power");
+        v.real("k_ssao", k_ssao, {0, 1}, "occlusion power");
+    });
     v.integer("layers", layers, {1, 2}, "2: patches that the first surface hides send light, too");
-    v.real("separation", separation, {0.0001, 1}, "least distance between layers as a share of depth");
+    v.only_if(layers > 1, "layers=2", [&] {
+        v.real("separation", separation, {0.0001, 1}, "least distance between layers as a share of depth");
+    });
     v.real("border", border, {0, 1}, "guard band on each side as a share of the image");
     v.integer("cameras", cameras, {0, 5}, "further views from the eye: back, left, right, up, down");
-    v.integer("camera_samples", camera_samples, {1, 4096}, "taps per pixel into each further view");
+    v.only_if(cameras > 0, "cameras above 0", [&] {
+        v.integer("camera_samples", camera_samples, {1, 4096}, "taps per pixel into each further view");
+    });
     v.integer("samples_far", samples_far, {0, double(shared::ISR_MAX_TAPS)},
               "taps per pixel beyond `far`; 0 = as many as before it");
-    v.real("far", far, {0.001, 100000}, "meters from which on samples_far counts");
+    v.only_if(samples_far > 0, "samples_far above 0", [&] {
+        v.real("far", far, {0.001, 100000}, "meters from which on samples_far counts");
+    });
     v.integer("temporal", temporal, {1, 4096}, "frames that are averaged at most; 1 = none but the present");
 }
 
@@ -79,6 +88,11 @@ Contribution compose(Recorder& recorder, const Frame& frame, const IsrOptions& o
 }
 
 } // namespace
+
+std::vector<Need> Isr::needs(const Scene& scene, const FrameOptions& frame) const {
+    const Need light = light_need(scene, frame);
+    return {{light.what, light.met || has_ambient_light(scene, frame)}};
+}
 
 Contribution Isr::render(Recorder& recorder, const Frame& frame) {
     auto scope = recorder.scope("isr");

@@ -39,6 +39,10 @@ struct IsrOptions {
 class Isr final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
+    std::vector<std::string> components() const override {
+        return {options_.bounces > 1 ? "diffuse" : "diffuse1", "ao"};
+    }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions& frame) const override;
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu&, const Scene&) override { history_ = {}; }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;

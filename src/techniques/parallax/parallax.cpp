@@ -6,7 +6,9 @@ namespace luxel {
 void Parallax::visit(Visitor& v) {
     v.choice("mode", mode_, {"plain", "offset_limit", "slope", "iterated"},
              "the field is taken for a plane of its height, limited, of its slope, or again and again");
-    v.integer("iterations", iterations_, {1, 64}, "corrections, mode=iterated only");
+    v.only_if(mode_ == ParallaxMode::iterated, "mode=iterated", [&] {
+        v.integer("iterations", iterations_, {1, 64}, "corrections");
+    });
     visit_depth(v);
 }
 

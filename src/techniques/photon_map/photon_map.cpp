@@ -2,6 +2,8 @@
 // The frame of the technique, and its options.
 #include "techniques/photon_map/photon_map.h"
 
+#include "scene/roles.h"
+
 namespace luxel {
 
 void PhotonOptions::visit(Visitor& v) {
@@ -9,13 +11,19 @@ void PhotonOptions::visit(Visitor& v) {
     v.choice(
         "capture", capture, {"camera", "box"},
         "where photons are traced: in what the camera can see and a margin, or in a box around the scene");
-    v.real("margin", margin, {0, 4}, "of the camera's capture on each side, as a share of its half width");
+    v.only_if(capture == PhotonCapture::camera, "capture=camera", [&] {
+        v.real("margin", margin, {0, 4},
+               "of the camera's capture on each side, as a share of its half width");
+    });
     v.integer("resolution", side, {16, 1024},
               "pixels a side of the lists; a power of two can be skipped over best");
     v.choice("tracer", tracer, {"march", "lines", "layers"},
              "a walk over the pixels that a ray crosses, rays drawn as lines, or a walk over peeled layers");
-    v.integer("layers", layers, {1, 64}, "of tracer=layers");
-    v.flag("skip", skip, "over empty space by a min-max pyramid");
+    v.only_if(tracer == PhotonTracer::layers, "tracer=layers", [&] {
+        v.integer("layers", layers, {1, 64}, "that are peeled");
+    });
+    v.only_if(tracer != PhotonTracer::lines, "tracer=march or layers",
+              [&] { v.flag("skip", skip, "over empty space by a min-max pyramid"); });
     v.integer("bounces", bounces, {1, 16}, "specular surfaces on a photon's path");
     v.flag("both", both, "glass met first reflects and refracts; else one of them by chance");
     v.flag("mixed", mixed, "cells of the shadow map that are specular in part send photons, too");
@@ -47,6 +55,11 @@ namespace {
 class PhotonMapTechnique final : public Technique {
 public:
     Slot slot() const override { return Slot::caustics; }
+    std::vector<std::string> components() const override { return {"caustics"}; }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions&) const override {
+        return {{"a mirror, smooth metal or glass", has_specular_surface(scene)},
+                light_need(scene, options_.rsm.lights)};
+    }
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override { lists_ = FragmentLists(gpu, scene); }
 

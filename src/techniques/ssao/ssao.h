@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Screen-space ambient occlusion as Crytek made it [Mittring2007]: the baseline of the occlusion slot.
 #pragma once
-#include "techniques/common/occlusion.h"
-#include "techniques/technique.h"
+#include "techniques/common/occlusion_technique.h"
 
 namespace luxel {
 
-class Ssao final : public Technique {
+class Ssao final : public OcclusionTechnique {
 public:
-    Slot slot() const override { return Slot::occlusion; }
     void visit(Visitor& v) override { options_.visit(v); }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

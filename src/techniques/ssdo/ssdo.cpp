@@ -2,6 +2,7 @@
 #include "techniques/ssdo/ssdo.h"
 
 #include "techniques/common/blur.h"
+#include "techniques/common/light_samples.h"
 #include "techniques/ssdo/compose_params.h"
 
 namespace luxel {
@@ -15,9 +16,11 @@ void SsdoOptions::visit(Visitor& v) {
              "equal area");
     v.real("radius", radius, {0.001, 1000}, "meters within which surfaces send light and block ambient");
     v.integer("samples", samples, {1, 1024}, "directions per pixel");
-    v.integer("steps", steps, {1, 256}, "points along each direction, mode=physical only");
-    v.real("thickness", thickness, {0, 1e6},
-           "how far occluders reach behind what is seen, over their distance; mode=physical only");
+    v.only_if(mode == SsdoMode::physical, "mode=physical", [&] {
+        v.integer("steps", steps, {1, 256}, "points along each direction");
+        v.real("thickness", thickness, {0, 1e6},
+               "how far occluders reach behind what is seen, over their distance");
+    });
     v.choice("resolution", resolution, {"half", "full"}, "of the gathered image");
     v.real("blur", blur, {0, 16}, "Gaussian sigma in gathered pixels; 0 = none");
 }
@@ -86,6 +89,11 @@ Contribution compose(Recorder& recorder, const Frame& frame, const gpu::Image& i
 }
 
 } // namespace
+
+std::vector<Need> Ssdo::needs(const Scene& scene, const FrameOptions& frame) const {
+    const Need light = light_need(scene, frame);
+    return {{light.what, light.met || has_ambient_light(scene, frame)}};
+}
 
 Contribution Ssdo::render(Recorder& recorder, const Frame& frame) {
     auto scope = recorder.scope("ssdo");

@@ -25,6 +25,8 @@ struct SsdoOptions {
 class Ssdo final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
+    std::vector<std::string> components() const override { return {"diffuse1", "ao"}; }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions& frame) const override;
     void visit(Visitor& v) override { options_.visit(v); }
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

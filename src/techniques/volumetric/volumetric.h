@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Volumetric ambient occlusion [Umenhoffer2009, chapter 4]: the open share of the tangent sphere.
 #pragma once
-#include "techniques/common/occlusion.h"
-#include "techniques/technique.h"
+#include "techniques/common/occlusion_technique.h"
 
 namespace luxel {
 
 enum class VolumetricNormalization { wis, analytic };
 
-class Volumetric final : public Technique {
+class Volumetric final : public OcclusionTechnique {
 public:
-    Slot slot() const override { return Slot::occlusion; }
     void visit(Visitor& v) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
 

@@ -6,7 +6,7 @@
 namespace luxel {
 
 void VplRegionOptions::visit(Visitor& v) {
-    v.integer("levels", levels, {1, 8}, "gather=multires: regions of 1 to 2^(levels - 1) pixels a side");
+    v.integer("levels", levels, {1, 8}, "regions of 1 to 2^(levels - 1) pixels a side");
     v.real("depth_step", depth_step, {0, 100},
            "least difference of depth that divides a region, as a share of depth");
     v.real("normal_step", normal_step, {0, 2},

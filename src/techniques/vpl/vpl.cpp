@@ -13,12 +13,13 @@ void VplTechniqueOptions::visit(Visitor& v) {
              "sums at every pixel, or at regions of pixels and interpolated between");
     v.choice("mode", mode, {"disc", "bounded", "thesis"},
              "kernel: lights as discs of their area, as points bounded by it, or as printed in the thesis");
-    v.real("clamp", clamp, {0, 1e6},
-           "mode=bounded: most of a kernel, 1/m2, instead of the bound by area; 0 = none");
+    v.only_if(mode == VplMode::bounded, "mode=bounded", [&] {
+        v.real("clamp", clamp, {0, 1e6}, "most of a kernel, 1/m2, instead of the bound by area; 0 = none");
+    });
     v.choice("visibility", visibility, {"automatic", "none", "imperfect_shadow_maps"},
              "of lights: by a small map of points for each, with mode=disc; or whatever lies between");
-    regions.visit(v);
-    ism.visit(v);
+    v.only_if(gather == VplGather::multires, "gather=multires", [&] { regions.visit(v); });
+    v.only_if(has_shadows(), "imperfect shadow maps", [&] { ism.visit(v); });
     importance.visit(v);
     rsm.visit(v);
 }
@@ -87,10 +88,7 @@ gpu::Image vpl_irradiance(gpu::Recorder& recorder, const Capture& seen, const Vp
     return vpl_interpolate(recorder, regions);
 }
 
-bool VplTechnique::shadows() const {
-    return options_.visibility == VplVisibility::imperfect_shadow_maps ||
-           (options_.visibility == VplVisibility::automatic && options_.mode == VplMode::disc);
-}
+bool VplTechnique::shadows() const { return options_.has_shadows(); }
 
 void VplTechnique::prepare(gpu::Gpu&, const Scene&) { points_.reset(); }
 

@@ -25,6 +25,10 @@ struct VplTechniqueOptions {
     IsmOptions ism;
     VplImportanceOptions importance;
     void visit(Visitor& v);
+    bool has_shadows() const {
+        return visibility == VplVisibility::imperfect_shadow_maps ||
+               (visibility == VplVisibility::automatic && mode == VplMode::disc);
+    }
 };
 
 // What is summed up: the lights, and their shadow maps unless `ism.maps` is empty.
@@ -37,6 +41,10 @@ class VplTechnique final : public Technique {
 public:
     Slot slot() const override { return Slot::diffuse; }
     bool takes_parallel_views() const override { return true; }
+    std::vector<std::string> components() const override { return {"diffuse1"}; }
+    std::vector<Need> needs(const Scene& scene, const FrameOptions&) const override {
+        return {light_need(scene, options_.rsm.lights)};
+    }
     void visit(Visitor& v) override { options_.visit(v); }
     void prepare(gpu::Gpu& gpu, const Scene& scene) override;
     Contribution render(gpu::Recorder& recorder, const Frame& frame) override;
