@@ -73,6 +73,7 @@ std::array<Image, sample_groups> groups_of(const ExrFile& exr, const std::string
 ImageFile read_layer(const std::filesystem::path& file, const std::string& layer) {
     ExrFile exr = read_exr(file);
     ImageFile out{.radiance = true};
+    if (!exr.remark.empty()) out.warnings.push_back(file.string() + ": " + exr.remark);
     const auto mask = exr.layers.find("mask");
     if (mask != exr.layers.end() && layer != "mask" && mask->second.channels == 1) {
         out.mask = std::move(mask->second);
@@ -238,9 +239,10 @@ ImageFile read_image_file(const std::filesystem::path& file, const std::string& 
     ImageFile out;
     if (begins_with(bytes, "\x76\x2f\x31\x01"))
         out = read_layer(file, layer);
-    else if (begins_with(bytes, "#?"))
-        out = {.image = three_channels(decode_hdr(bytes, file.string())), .radiance = true};
-    else {
+    else if (begins_with(bytes, "#?")) {
+        out.image = three_channels(decode_hdr(bytes, file.string(), &out.warnings));
+        out.radiance = true;
+    } else {
         const Pixels pixels = decode_pixels(bytes, file.string());
         out.image = display_values(pixels);
         if (pixels.has_alpha) out.alpha = alpha_values(pixels);
