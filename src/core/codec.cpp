@@ -19,6 +19,8 @@ Format format_of(std::span<const std::uint8_t> bytes) {
     if (starts("\x89PNG\r\n\x1a\n")) return Format::png;
     if (starts("\xff\xd8")) return Format::jpeg;
     if (starts("#?")) return Format::radiance;
+    if (starts("RIFF") && bytes.size() >= 12 && std::equal(bytes.begin() + 8, bytes.begin() + 12, "WEBP"))
+        return Format::webp;
     return Format::unknown;
 }
 

@@ -12,13 +12,14 @@ namespace luxel::codec {
 // What one file may decode to, in bytes; checked against the header before anything is allocated.
 inline constexpr std::uint64_t max_decoded_bytes = std::uint64_t(1) << 30;
 
-enum class Format { exr, radiance, png, jpeg, unknown };
+enum class Format { exr, radiance, png, jpeg, webp, unknown };
 // What the first bytes say.
 Format format_of(std::span<const std::uint8_t> bytes);
 
 ExrFile decode_exr(std::span<const std::uint8_t> bytes);
 Pixels decode_png(std::span<const std::uint8_t> bytes);
 Pixels decode_jpeg(std::span<const std::uint8_t> bytes);
+Pixels decode_webp(std::span<const std::uint8_t> bytes);
 Image decode_radiance(std::span<const std::uint8_t> bytes);
 
 // Error Fault::bad_input unless 1 <= side <= max_image_side and all of it fits in max_decoded_bytes.

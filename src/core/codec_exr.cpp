@@ -114,7 +114,7 @@ Plan plan(const Imf::ChannelList& channels) {
     return result;
 }
 
-// CIE XYZ to linear sRGB [IEC61966-2-1].
+// CIE XYZ to linear sRGB, as IEC 61966-2-1 has it.
 void to_srgb(Image& image) {
     const glm::mat3 rows(3.2406f, -1.5372f, -0.4986f, -0.9689f, 1.8758f, 0.0415f, 0.0557f, -0.2040f, 1.0570f);
     for (int y = 0; y < image.height; ++y)

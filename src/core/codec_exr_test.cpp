@@ -140,3 +140,17 @@ TEST(CodecExr, TheFirstOfSeveralPartsIsRead) {
     EXPECT_NE(remarks[0].find("2 parts"), std::string::npos) << remarks[0];
     std::filesystem::remove(path);
 }
+
+TEST(CodecExr, TheOnlyLayerOfColorsIsThePicture) {
+    const auto path = temporary("luxel_codec_layers.exr");
+    const Written layered{box(0, 0, 3, 2), box(0, 0, 3, 2), {"a.R", "a.G", "a.B", "b.Z"}};
+    {
+        Imf::OutputFile file(path.c_str(), layered.header());
+        layered.write(file);
+    }
+    Remarks remarks;
+    EXPECT_EQ(read_image(path, &remarks).rgb(3, 2).r, value_at(0, 3, 2));
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("layer \"a\" is read"), std::string::npos) << remarks[0];
+    std::filesystem::remove(path);
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Both sides of the decoding process. It is a program of its own, not a fork: a fork of a process with
-// threads may do next to nothing safely.
+// Our side of the decoding process. It is a program of its own, not a fork: a fork of a process with threads
+// may do next to nothing safely.
 #include "core/decode_process.h"
 
 #include <algorithm>
@@ -9,14 +9,13 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <new>
+#include <optional>
 #include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,6 +23,7 @@
 #include "core/decode_message.h"
 #include "core/descriptor.h"
 #include "core/error.h"
+#include "core/sandbox.h"
 
 extern char** environ; // POSIX declares it nowhere
 
@@ -32,22 +32,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto time_limit = std::chrono::seconds(60);
-constexpr rlim_t processor_seconds = 30;
-constexpr rlim_t address_space = rlim_t(4) << 30;
 
 [[noreturn]] void fail_system(const char* what) {
     fail(Fault::resource, "cannot decode: {}: {}", what, std::strerror(errno));
-}
-
-void write_all(int descriptor, const void* bytes, std::size_t count) {
-    const auto* at = static_cast<const char*>(bytes);
-    while (count > 0) {
-        const ssize_t written = write(descriptor, at, count);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail_system("write");
-        at += written;
-        count -= std::size_t(written);
-    }
 }
 
 std::filesystem::path decoder_path() {
@@ -62,10 +49,16 @@ std::filesystem::path decoder_path() {
 // A running decoder, ended and reaped with the object.
 class Decoder {
 public:
-    explicit Decoder(std::span<const std::uint8_t> bytes) {
+    // The images, each behind its length.
+    explicit Decoder(std::span<const std::span<const std::uint8_t>> images) {
         const Descriptor input(memfd_create("luxel-image", MFD_CLOEXEC));
         if (input.value < 0) fail_system("memory file");
-        write_all(input.value, bytes.data(), bytes.size());
+        for (const std::span<const std::uint8_t> bytes : images) {
+            const std::uint64_t length = bytes.size();
+            if (!write_all(input.value, &length, sizeof length) ||
+                !write_all(input.value, bytes.data(), bytes.size()))
+                fail_system("write");
+        }
         lseek(input.value, 0, SEEK_SET);
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) fail_system("pipe");
@@ -77,6 +70,12 @@ public:
     Decoder& operator=(const Decoder&) = delete;
     ~Decoder() { end(); }
 
+    Decoded next() {
+        deadline_ = Clock::now() + time_limit;
+        return receive([this](void* target, std::size_t count) { read(target, count); });
+    }
+
+private:
     // Exactly count bytes of the answer, or an error that says how the decoder ended.
     void read(void* target, std::size_t count) {
         auto* at = static_cast<char*>(target);
@@ -95,7 +94,6 @@ public:
         }
     }
 
-private:
     void spawn(int input, int output) {
         const std::string path = decoder_path().string();
         std::string name = "luxel-decode";
@@ -128,7 +126,8 @@ private:
     [[noreturn]] void fail_early() {
         const int status = end();
         if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-            fail(Fault::bad_input, "decoding takes more than {} s of processor time", processor_seconds);
+            fail(Fault::bad_input, "decoding takes more than {} s of processor time",
+                 sandbox_processor_seconds);
         if (WIFSIGNALED(status))
             fail(Fault::bad_input, "the decoder stopped at this file ({})", strsignal(WTERMSIG(status)));
         fail(Fault::bad_input, "the decoder stopped at this file (exit {})", WEXITSTATUS(status));
@@ -136,75 +135,32 @@ private:
 
     pid_t pid_ = -1;
     Descriptor output_;
-    Clock::time_point deadline_ = Clock::now() + time_limit;
+    Clock::time_point deadline_;
 };
-
-void cap(decltype(RLIMIT_AS) resource, rlim_t most) {
-    const rlimit limit{most, most};
-    if (setrlimit(resource, &limit) != 0) _exit(1);
-}
-
-// No descriptor can be opened any more: no files, no sockets.
-void give_up_rights() {
-    if (close_range(3, ~0U, 0) != 0) _exit(1);
-    cap(RLIMIT_FSIZE, 0);
-    cap(RLIMIT_CORE, 0);
-    cap(RLIMIT_CPU, processor_seconds);
-    // Sanitizers reserve terabytes of addresses and open pipes to probe memory.
-#ifndef __SANITIZE_ADDRESS__
-    cap(RLIMIT_NOFILE, 0);
-    cap(RLIMIT_AS, address_space);
-#endif
-}
-
-std::vector<std::uint8_t> read_input() {
-    std::vector<std::uint8_t> bytes;
-    std::size_t filled = 0;
-    for (ssize_t got = 1; got > 0;) {
-        bytes.resize(std::max<std::size_t>(filled + (1 << 20), filled + filled / 2));
-        got = read(STDIN_FILENO, bytes.data() + filled, bytes.size() - filled);
-        filled += got > 0 ? std::size_t(got) : 0;
-    }
-    bytes.resize(filled);
-    return bytes;
-}
-
-Decoded decode(std::span<const std::uint8_t> bytes) {
-    switch (format_of(bytes)) {
-    case Format::exr:
-        return decode_exr(bytes);
-    case Format::png:
-        return decode_png(bytes);
-    case Format::jpeg:
-        return decode_jpeg(bytes);
-    case Format::radiance:
-        return ExrFile{.layers = {{"", decode_radiance(bytes)}}, .metadata = {}, .remark = {}};
-    case Format::unknown:
-        break;
-    }
-    fail(Fault::bad_input, "not OpenEXR, Radiance, PNG or JPEG");
-}
 
 } // namespace
 
-Decoded decode_apart(std::span<const std::uint8_t> bytes) {
-    Decoder decoder(bytes);
-    return receive([&](void* target, std::size_t count) { decoder.read(target, count); });
+std::vector<DecodedOrError> decode_apart(std::span<const std::span<const std::uint8_t>> images) {
+    std::vector<DecodedOrError> results;
+    std::optional<Decoder> decoder;
+    while (results.size() < images.size()) {
+        if (!decoder) decoder.emplace(images.subspan(results.size()));
+        try {
+            results.emplace_back(decoder->next());
+        } catch (const Error& error) {
+            // What a process says after a fault counts for nothing: the next image has a new one.
+            if (error.fault() != Fault::bad_input) throw;
+            results.emplace_back(error);
+            decoder.reset();
+        }
+    }
+    return results;
 }
 
-void decode_and_exit() {
-    give_up_rights();
-    const Put put = [](const void* bytes, std::size_t count) { write_all(STDOUT_FILENO, bytes, count); };
-    try {
-        const Decoded decoded = decode(read_input());
-        send(decoded, put);
-    } catch (const std::bad_alloc&) {
-        send_refusal("decoding takes more memory than allowed", put);
-    } catch (const std::exception& error) {
-        send_refusal(error.what(), put);
-    }
-    // Nothing is left to flush; leak checkers could not open what they need.
-    _exit(0);
+Decoded decode_apart(std::span<const std::uint8_t> bytes) {
+    DecodedOrError result = std::move(decode_apart(std::span(&bytes, 1)).front());
+    if (const Error* error = std::get_if<Error>(&result)) throw *error;
+    return std::move(std::get<Decoded>(result));
 }
 
 } // namespace luxel::codec

@@ -130,6 +130,60 @@ TEST(Decode, BombsAreRefusedByTheirHeaders) {
     EXPECT_NE(refusal(png), "");
 }
 
+// A bad one among small ones is refused alone, though they share a process; other kinds are named.
+TEST(Decode, SeveralAtOnce) {
+    const Bytes good = sample_png(), jpeg = sample_jpeg(), exr = sample_exr();
+    Bytes bad = good;
+    bad[bad.size() / 2] ^= 0xff;
+    std::vector<EncodedImage> images;
+    const std::vector<const Bytes*> files = {&good, &bad, &jpeg, &exr, &good, &good, &bad, &jpeg};
+    for (const Bytes* bytes : files)
+        images.push_back({*bytes, "image " + std::to_string(images.size())});
+    const auto results = decode_pixels(images);
+    ASSERT_EQ(results.size(), images.size());
+    for (std::size_t i : {0u, 2u, 4u, 5u, 7u}) {
+        ASSERT_TRUE(std::holds_alternative<Pixels>(results[i])) << i;
+        EXPECT_EQ(std::get<Pixels>(results[i]).rgba, decode_pixels(images[i].bytes, "file").rgba) << i;
+    }
+    for (std::size_t i : {1u, 6u})
+        EXPECT_TRUE(std::string(std::get<Error>(results[i]).what())
+                        .starts_with("image " + std::to_string(i) + ": PNG: "));
+    EXPECT_STREQ(std::get<Error>(results[3]).what(), "image 3: not PNG, JPEG or WebP");
+}
+
+// Run by the next test from a folder that has no luxel-decode.
+TEST(DecodeAlone, NothingIsDecoded) {
+    const auto self = std::filesystem::read_symlink("/proc/self/exe");
+    if (std::filesystem::exists(self.parent_path() / "luxel-decode")) GTEST_SKIP() << "the process is there";
+    Bytes radiance;
+    for (char c : std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\nabcd"))
+        radiance.push_back(std::uint8_t(c));
+    for (const Bytes& bytes : {sample_png(), sample_jpeg(), sample_exr(), radiance}) {
+        try {
+            decode_image(bytes, "file");
+            ADD_FAILURE() << "decoded in this process";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.fault(), Fault::io);
+            EXPECT_NE(std::string(error.what()).find("luxel-decode is missing"), std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+TEST(Decode, WithoutItsProcessNothingIsDecoded) {
+    const auto folder = std::filesystem::path(::testing::TempDir()) / "luxel_decode_alone";
+    std::filesystem::create_directories(folder);
+    const auto copy = folder / "test";
+    std::filesystem::copy_file("/proc/self/exe", copy, std::filesystem::copy_options::overwrite_existing);
+    const std::string log = (folder / "log").string();
+    EXPECT_EQ(std::system((copy.string() + " --gtest_filter=DecodeAlone.* > " + log + " 2>&1").c_str()), 0);
+    const Bytes said = read_file(log);
+    const std::string text(said.begin(), said.end());
+    EXPECT_NE(text.find("[  PASSED  ] 1 test"), std::string::npos) << text;
+    EXPECT_EQ(text.find("SKIPPED"), std::string::npos) << text;
+    std::filesystem::remove_all(folder);
+}
+
 // What a decoder that was taken over could answer is bounded on our side.
 TEST(Decode, AnswersAreNotTrusted) {
     const auto receive = [](std::vector<std::uint32_t> words) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An owned file descriptor.
 #pragma once
+#include <cerrno>
+#include <cstddef>
 #include <utility>
 
 #include <unistd.h>
@@ -21,5 +23,18 @@ struct Descriptor {
         if (value >= 0) close(value);
     }
 };
+
+// All of it, or false with errno.
+inline bool write_all(int descriptor, const void* bytes, std::size_t count) {
+    const auto* at = static_cast<const char*>(bytes);
+    while (count > 0) {
+        const ssize_t written = write(descriptor, at, count);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        at += written;
+        count -= std::size_t(written);
+    }
+    return true;
+}
 
 } // namespace luxel

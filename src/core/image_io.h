@@ -7,8 +7,10 @@
 #include <map>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "core/error.h"
 #include "core/image.h"
 
 namespace luxel {
@@ -34,8 +36,15 @@ struct Pixels {
 // What decoders put up with is said in sentences that start with the file's name.
 using Remarks = std::vector<std::string>;
 
-// PNG or JPEG by content. `name` is used in error sentences.
+// PNG, JPEG or WebP by content. `name` is used in error sentences.
 Pixels decode_pixels(std::span<const std::uint8_t> bytes, const std::string& name);
+
+// Several at once: small ones share a process, which costs some milliseconds. A result or an error for each.
+struct EncodedImage {
+    std::span<const std::uint8_t> bytes;
+    std::string name;
+};
+std::vector<std::variant<Pixels, Error>> decode_pixels(std::span<const EncodedImage> images);
 
 // Radiance .hdr or OpenEXR by content: 3 or 1 channel image, linear.
 Image decode_hdr(std::span<const std::uint8_t> bytes, const std::string& name, Remarks* remarks = nullptr);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <thread>
 
 #include "core/error.h"
 #include "core/parallel.h"
@@ -26,25 +27,46 @@ Pixels substitute(TextureRole role) {
     return pixels;
 }
 
-// What went wrong with reading or decoding, or an empty text. Running out of a resource is an error all the
-// same.
-std::string decode(const TextureRequest& request, Pixels& pixels) {
-    if (!request.read) return request.image + ": has no PNG or JPEG image";
+// The file's bytes, or none and what went wrong. Running out of a resource is an error all the same.
+std::optional<std::vector<std::uint8_t>> read(const TextureRequest& request, std::string& problem) {
     std::optional<std::vector<std::uint8_t>> bytes;
+    if (!request.read) {
+        problem = request.image + ": " + request.why_none;
+        return bytes;
+    }
     try {
         bytes = request.read();
+        if (!bytes) problem = request.image + ": no such file";
     } catch (const Error& error) {
         if (error.fault() != Fault::io && error.fault() != Fault::bad_input) throw;
-        return error.what();
+        problem = error.what();
     }
-    if (!bytes) return request.image + ": no such file";
-    try {
-        pixels = decode_pixels(*bytes, request.image);
-    } catch (const Error& error) {
-        if (error.fault() != Fault::bad_input) throw;
-        return error.what();
+    return bytes;
+}
+
+// Reads and decodes images [first, end) of all.
+void decode(std::vector<DecodedImage>& images, std::size_t first, std::size_t end) {
+    std::vector<std::vector<std::uint8_t>> files;
+    std::vector<std::size_t> which;
+    for (std::size_t i = first; i < end; ++i)
+        if (auto bytes = read(*images[i].request, images[i].problem)) {
+            files.push_back(std::move(*bytes));
+            which.push_back(i);
+        }
+    std::vector<EncodedImage> encoded;
+    for (std::size_t k = 0; k < files.size(); ++k)
+        encoded.push_back({files[k], images[which[k]].request->image});
+    std::vector<std::variant<Pixels, Error>> decoded = decode_pixels(encoded);
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        DecodedImage& image = images[which[k]];
+        if (Pixels* pixels = std::get_if<Pixels>(&decoded[k])) {
+            image.pixels = std::move(*pixels);
+        } else {
+            const Error& error = std::get<Error>(decoded[k]);
+            if (error.fault() != Fault::bad_input) throw error;
+            image.problem = error.what();
+        }
     }
-    return {};
 }
 
 // Texels are added up as they come: the sizes are known only to the decoder.
@@ -82,9 +104,13 @@ LoadedTextures load_textures(std::vector<TextureRequest> requests, const std::st
     for (const TextureRequest& request : requests)
         if (index_of.emplace(request.image, images.size()).second) images.push_back({&request, {}, {}, 0});
     TexelBudget budget(scene_name);
-    parallel_for(images.size(), 1, [&](std::size_t i) {
-        images[i].problem = decode(*images[i].request, images[i].pixels);
-        budget.charge(images[i].pixels);
+    // Several by one task share a process, but not so many that processors are idle.
+    const std::size_t together =
+        std::clamp<std::size_t>(images.size() / (4 * std::thread::hardware_concurrency() + 1), 1, 16);
+    parallel_for((images.size() + together - 1) / together, 1, [&](std::size_t i) {
+        const std::size_t first = i * together, end = std::min(first + together, images.size());
+        decode(images, first, end);
+        for (std::size_t k = first; k < end; ++k) budget.charge(images[k].pixels);
     });
 
     LoadedTextures result;

@@ -23,7 +23,8 @@ enum class TextureRole { color, data, normal };
 struct TextureRequest {
     Texture texture; // all but the pixels
     TextureRole role = TextureRole::color;
-    std::string image; // requests of the same image share one decoding
+    std::string image;                     // requests of the same image share one decoding
+    std::string why_none = "has no image"; // said where there is no `read`
     // The file's bytes; nullopt: there is no such file. Called once per image, from any thread. What it
     // throws ends the load (a path that leaves the folder), unless it is Fault::io. Empty: the scene names no
     // readable image.

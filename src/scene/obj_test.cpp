@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/obj.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "core/image_io.h"
+#include "scene/surface.h"
 #include "support/temporary_folder.h"
 
 namespace luxel {
@@ -127,6 +130,118 @@ TEST(ObjMaterial, LibraryThatIsMissingIsAWarning) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_CONTAINS(scene.warnings[0], "no material library \"gone.mtl\"");
     EXPECT_THROW(load_text(text, "", {.strict = true}), Error);
+}
+
+// A mirror of gold's color, and a floor of plastic: Ks and Ns beside them say nothing.
+TEST(ObjMaterial, PhysicalFactors) {
+    const Scene scene =
+        load_text("mtllib a.mtl\n" + std::string(triangle) + "usemtl m\nf 1 2 3\n",
+                  "newmtl m\nKd .8 .7 .6\nKa 1 1 1\nKs .5 .5 .5\nNs 96\nPr 0\nPm 1\nPc .25\nPcr "
+                  ".5\nNi 1.45\nsharpness 3\nKa 0 0 0\n");
+    const Material& m = scene.materials[0];
+    EXPECT_EQ(m.base_color, glm::vec4(0.8f, 0.7f, 0.6f, 1));
+    EXPECT_EQ(m.metallic, 1.0f);
+    EXPECT_EQ(m.roughness, 0.0f);
+    EXPECT_EQ(m.specular, 1.0f);
+    EXPECT_EQ(m.specular_color, glm::vec3(1.0f));
+    EXPECT_EQ(m.ior, 1.45f);
+    EXPECT_EQ(m.clearcoat, 0.25f);
+    EXPECT_EQ(m.clearcoat_roughness, 0.5f);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_CONTAINS(scene.warnings[0], "statements that are left out: Ka (2), Ks (1), Ns (1), sharpness (1)");
+    EXPECT_EQ(load_material("Pr .25\n").roughness, 0.25f);
+    EXPECT_EQ(load_material("Pr .25\n").metallic, 0.0f);
+    EXPECT_EQ(load_material("Pm 1\n").roughness, 1.0f);
+}
+
+// Gray codes of one row, as a PNG.
+std::vector<std::uint8_t> gray_row(const std::vector<float>& values, int rows = 1) {
+    Image image(int(values.size()), rows, 3);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < image.width; ++x) image.set_rgb(x, y, glm::vec3(values[std::size_t(x)]));
+    return encode_png(image);
+}
+
+TEST(ObjMaterial, MapsMakeOneTexture) {
+    const testing::TemporaryFolder folder;
+    folder.add("rough.png", std::span<const std::uint8_t>(gray_row({0.2f, 0.6f})));
+    folder.add("metal.png", std::span<const std::uint8_t>(gray_row({1.0f})));
+    folder.add("hole.png", std::span<const std::uint8_t>(gray_row({0.0f, 1.0f})));
+    folder.add("a.mtl", std::string_view("newmtl m\nmap_Pr rough.png\nmap_Pm metal.png\nmap_d hole.png\n"));
+    const Scene scene =
+        load_obj(folder.add("a.obj", "mtllib a.mtl\n" + std::string(triangle) + "usemtl m\nf 1 2 3\n"));
+    EXPECT_TRUE(scene.warnings.empty());
+    const Material& m = scene.materials[0];
+    EXPECT_EQ(m.roughness, 1.0f);
+    EXPECT_EQ(m.metallic, 1.0f);
+    ASSERT_EQ(scene.textures.size(), 2u);
+    const Texture& maps = scene.textures[std::size_t(m.metallic_roughness_texture.texture)];
+    ASSERT_EQ(maps.pixels.width, 2);
+    EXPECT_FALSE(maps.srgb);
+    EXPECT_NEAR(maps.pixels.value(1), 0.2f, 1e-3f);
+    EXPECT_NEAR(maps.pixels.value(5), 0.6f, 1e-3f);
+    EXPECT_NEAR(maps.pixels.value(2), 1.0f, 1e-3f);
+    EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
+    const Texture& color = scene.textures[std::size_t(m.base_color_texture.texture)];
+    EXPECT_TRUE(color.srgb);
+    EXPECT_EQ(color.pixels.value(3), 0.0f);
+    EXPECT_EQ(color.pixels.value(7), 1.0f);
+    EXPECT_EQ(color.pixels.value(4), 1.0f);
+}
+
+// Heights that rise by .1 from texel to texel to the right: the surface leans to the left. Rows that rise
+// downward lean it up.
+TEST(ObjMaterial, BumpMapsLeanTheNormal) {
+    const testing::TemporaryFolder folder;
+    std::vector<float> rising;
+    for (int i = 0; i < 9; ++i) rising.push_back(0.1f * float(i));
+    folder.add("right.png", std::span<const std::uint8_t>(gray_row(rising, 9)));
+    Image down(9, 9, 3);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 9; ++x) down.set_rgb(x, y, glm::vec3(rising[std::size_t(y)]));
+    folder.add("down.png", std::span<const std::uint8_t>(encode_png(down)));
+    folder.add("a.mtl",
+               std::string_view("newmtl r\nmap_Bump -bm 2 right.png\nnewmtl d\nbump -bm 2 down.png\n"));
+    // Facing +z, u to the right and v up.
+    const Scene scene = load_obj(folder.add(
+        "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl r\nf 1/1 2/2 3/3\n"
+                 "usemtl d\nf 1/1 2/2 3/3\n"));
+    const glm::vec3 expected[] = {glm::normalize(glm::vec3(-0.2f, 0, 1)),
+                                  glm::normalize(glm::vec3(0, 0.2f, 1))};
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        Hit hit;
+        hit.instance = i, hit.triangle = 0, hit.u = 0.3f, hit.v = 0.4f, hit.geometric_normal = {0, 0, 1};
+        const Surface s = surface_at(scene, hit, {0, 0, -1});
+        EXPECT_LT(glm::length(s.normal - expected[i]), 5e-3f) << s.normal.x << " " << s.normal.y;
+    }
+}
+
+// A roof of two slopes: smooth in a group, flat without, and each file's own normals where it has some.
+TEST(Obj, SmoothingGroups) {
+    const std::string roof = "v 0 0 0\nv 1 1 0\nv 2 0 0\nv 0 0 2\nv 1 1 2\nv 2 0 2\n",
+                      faces = "f 1 4 5 2\nf 2 5 6 3\n";
+    const auto ridge = [&](const std::string& text) {
+        const Scene scene = load_text(text);
+        std::vector<glm::vec3> normals;
+        for (const Mesh& mesh : scene.meshes)
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+                if (mesh.positions[i].x == 1.0f) normals.push_back(mesh.normals[i]);
+        EXPECT_FALSE(normals.empty());
+        return normals;
+    };
+    for (const char* on : {"s 1\n", "s on\n", "s 7\n"})
+        for (const glm::vec3& n : ridge(roof + on + faces))
+            EXPECT_LT(glm::length(n - glm::vec3(0, 1, 0)), 1e-6f) << on;
+    for (const char* off : {"", "s off\n", "s 0\n"})
+        for (const glm::vec3& n : ridge(roof + off + faces)) EXPECT_NEAR(n.y, std::sqrt(0.5f), 1e-6f) << off;
+    // Each slope a group of its own; one group over two objects.
+    for (const glm::vec3& n : ridge(roof + "s 1\nf 1 4 5 2\ns 2\nf 2 5 6 3\n"))
+        EXPECT_NEAR(n.y, std::sqrt(0.5f), 1e-6f);
+    for (const glm::vec3& n : ridge(roof + "s 1\no a\nf 1 4 5 2\no b\nf 2 5 6 3\n"))
+        EXPECT_NEAR(n.y, 1.0f, 1e-6f);
+    // What the file says stays, what it leaves out is made.
+    for (const glm::vec3& n : ridge(roof + "vn 0 0 1\ns 1\nf 1//1 4//1 5//1 2//1\n"))
+        EXPECT_EQ(n, glm::vec3(0, 0, 1));
 }
 
 TEST(ObjMalformed, EndsWithOneSentence) {

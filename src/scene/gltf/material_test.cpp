@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "core/image_io.h"
+#include <webp/encode.h>
+
 #include "scene/gltf/test_gltf.h"
 
 namespace luxel {
@@ -195,6 +197,28 @@ TEST(GltfTexture, IsReplacedByGreyWhenMissingOrDamaged) {
 
     const std::string strict = testing::sentence(Fault::bad_input, [&] { file.load({.strict = true}); });
     EXPECT_CONTAINS(strict, "missing.png");
+}
+
+// A lossless WebP of one green pixel, with a PNG beside it that is not there; KTX2, though required, is grey.
+TEST(GltfTexture, WebpIsReadAndKtx2Named) {
+    const std::vector<std::uint8_t> rgba = {0, 255, 0, 255};
+    std::uint8_t* encoded = nullptr;
+    const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), 1, 1, 4, &encoded);
+    TestGltf file;
+    file.folder.add("green.webp", std::span<const std::uint8_t>(encoded, size));
+    WebPFree(encoded);
+    add_texture(file, "missing.png");
+    file.json["images"].push_back({{"uri", "green.webp"}});
+    file.json["textures"][0]["extensions"]["EXT_texture_webp"] = {{"source", 1}};
+    file.json["textures"].push_back({{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
+    file.json["extensionsRequired"] = {"EXT_texture_webp", "KHR_texture_basisu"};
+    file.material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                       {"emissiveTexture", {{"index", 1}}}};
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.textures.size(), 2u);
+    EXPECT_EQ(scene.textures[0].pixels.rgba, rgba);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_CONTAINS(scene.warnings[0], "1 texture image replaced by grey, first: textures[1]: is KTX2");
 }
 
 TEST(GltfTexture, DirectsTangentsOfNormalMaps) {

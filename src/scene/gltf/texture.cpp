@@ -61,10 +61,15 @@ TextureRequest TextureTable::request(std::size_t index, TextureRole role) {
         result.texture.nearest = settings["magFilter"].integer(9729) == 9728;
     }
 
-    // No source: only an extension such as KHR_texture_basisu or EXT_texture_webp has the image.
-    const Value source = texture["source"];
+    // Where a file has the image as WebP, too, that is the one to be read.
+    const Value webp = texture["extensions"]["EXT_texture_webp"]["source"];
+    const Value source = webp ? webp : texture["source"];
     if (!source) {
         result.image = fmt::format("textures[{}]", index);
+        if (texture["extensions"]["KHR_texture_basisu"])
+            result.why_none =
+                "is KTX2 (KHR_texture_basisu), which is not read; convert it to PNG or WebP, as "
+                "`ktx extract` and gltf-transform do";
         return result;
     }
     const Value image = document_.resolve("images", source);

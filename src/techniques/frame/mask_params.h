@@ -11,13 +11,13 @@ struct MaskThresholds {
     float level;    // of mips, between 0 and 1: coverage is looked at above it
 };
 
-// Each uniform in [0, 1) over the pixels, evenly so in every neighborhood: the additive recurrence of the
-// plastic number [Roberts2018], shifted by a hash of `surface`.
+// Each uniform in [0, 1) over the pixels. Within 4 x 4 of them coverage is even: the additive recurrence of
+// the plastic number [Roberts2018], shifted by a hash of the square and of `surface`, so that two surfaces
+// are independent over a few squares already.
 LUXEL_FN MaskThresholds mask_thresholds(uint x, uint y, uint surface) {
-    uint sequence = x * 3242174889u + y * 2447445413u;
     MaskThresholds t;
-    t.coverage = uniform_float(sequence + pcg(surface));
-    t.level = uniform_float(pcg(sequence ^ pcg(surface + 0x9e3779b9u)));
+    t.coverage = uniform_float(x * 3242174889u + y * 2447445413u + hash3(x >> 2u, y >> 2u, surface));
+    t.level = uniform_float(hash3(x, y, surface ^ 0x9e3779b9u));
     return t;
 }
 
