@@ -170,7 +170,7 @@ TEST(Cameras, CausticsOfParallelViews) {
 
 TEST(Cameras, TechniquesThatCannotTakeParallelViewsSaySo) {
     const Scene scene = cornell();
-    gpu::Gpu gpu({});
+    gpu::Gpu gpu({.validation = true});
     Renderer renderer(gpu, scene, {});
     for (const char* name : {"isr", "gtao", "ssao", "ssdo", "photon_map"}) {
         const auto technique = make_technique({name, {}});
