@@ -133,7 +133,7 @@ TEST(Caustics, ThinSheetsMirrorByFresnelAndWeakenWhatTheyPass) {
     add_quad(add_mesh(scene, glass), {-9, 1.5f, 9}, {18, 0, 0}, {0, 0, -18});
     scene.lights = {light_of(shared::LIGHT_DIRECTIONAL, {}, {0.6f, -0.8f, 0}, 2.0f)};
     const Measured m =
-        mean_of_passes(scene, caustics_of(camera_on({-1.5f, 0.3f, 0}, {0, 0, 0}, 0.1f), 16, 20000));
+        mean_of_passes(scene, caustics_of(camera_on({-1.5f, 0.3f, 0}, {0, 0, 0}, 0.1f), 16, 60000));
     const double expected =
         0.5 / double(PI) * 2.0 * 0.8 * 0.25 * double(shared::fresnel_dielectric(0.6f, 1.5f));
     EXPECT_NEAR(m.mean, expected, t_999_15 * m.error + 1e-5);

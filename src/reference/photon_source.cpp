@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "scene/thin_sheets.h"
 #include "shared/sampling.h"
+#include "shared/thin_sheet.h"
 
 namespace luxel {
 namespace {
@@ -102,9 +103,14 @@ double PhotonSource::sent_on(const Target& target, glm::vec2 uv, const shared::L
         specular_part(surface_at(*scene_, target.hit(uv), -light.wi), specular_roughness_);
     const ShadingPoint point(surface, -light.wi);
     const float cosine = std::abs(glm::dot(surface.geometric_normal, light.wi));
-    const float share = surface.transmission - luminance(sheet_transmittance(surface, -light.wi)) +
-                        luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90,
-                                                          glm::dot(point.normal, point.wo)));
+    // Of a clear sheet it is what its front mirrors: the rest goes straight on or is absorbed.
+    const float cos_o = glm::dot(point.normal, point.wo);
+    float share = luminance(shared::fresnel_schlick(surface.brdf.f0, surface.brdf.f90, cos_o));
+    share += is_clear_sheet(surface)
+                 ? surface.transmission *
+                       luminance(shared::interface_reflectance(cos_o, surface.material->ior,
+                                                               surface.specular * surface.specular_color))
+                 : surface.transmission;
     const float level = luminance(light.irradiance) * cosine * share;
     const bool far = from.type == shared::LIGHT_DIRECTIONAL;
     if (level <= 0.0f) return 0.0;
