@@ -87,8 +87,8 @@ TEST(ExportRoundTrip, KeepsLights) {
             if (a.type == shared::LIGHT_POINT) continue;
             EXPECT_LT(glm::length(a.direction - b.direction), 1e-6f);
             if (a.type != shared::LIGHT_SPOT) continue;
-            EXPECT_NEAR(a.cos_inner, b.cos_inner, 1e-6f);
-            EXPECT_NEAR(a.cos_outer, b.cos_outer, 1e-6f);
+            EXPECT_NEAR(a.inner, b.inner, 1e-6f * (1.0f + a.inner));
+            EXPECT_NEAR(a.outer, b.outer, 1e-6f * (1.0f + a.outer));
         }
     }
 }

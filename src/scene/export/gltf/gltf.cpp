@@ -43,8 +43,8 @@ void add_light(Export& out, const shared::Light& light) {
                                                       : "directional";
     if (light.range > 0.0f) json["range"] = light.range;
     if (light.type == shared::LIGHT_SPOT)
-        json["spot"] = {{"innerConeAngle", std::acos(double(light.cos_inner))},
-                        {"outerConeAngle", std::acos(double(light.cos_outer))}};
+        json["spot"] = {{"innerConeAngle", shared::versine_angle(light.inner)},
+                        {"outerConeAngle", shared::versine_angle(light.outer)}};
     Json& lights = out.json["extensions"]["KHR_lights_punctual"]["lights"];
     // Any direction that is not the light's own.
     const glm::vec3 up = std::abs(light.direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);

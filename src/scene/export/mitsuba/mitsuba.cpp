@@ -21,7 +21,7 @@ std::string comment(const std::string& text) {
     return safe;
 }
 std::string numbers(glm::vec3 v) { return fmt::format("{}, {}, {}", v.x, v.y, v.z); }
-float degrees_of(float cosine) { return glm::degrees(std::acos(std::clamp(cosine, -1.0f, 1.0f))); }
+float degrees_of(float versine) { return glm::degrees(shared::versine_angle(versine)); }
 std::string look_at(glm::vec3 origin, glm::vec3 direction, glm::vec3 up) {
     return fmt::format("<lookat origin=\"{}\" target=\"{}\" up=\"{}\"/>", numbers(origin),
                        numbers(origin + direction), numbers(up));
@@ -70,7 +70,7 @@ void add_light(ExportOutput& out, const shared::Light& light) {
         return out.add("<emitter type=\"spot\"><rgb name=\"intensity\" value=\"{}\"/><float "
                        "name=\"cutoff_angle\" value=\"{}\"/><float name=\"beam_width\" "
                        "value=\"{}\"/><transform name=\"to_world\">{}</transform></emitter>\n",
-                       rgb, degrees_of(light.cos_outer), degrees_of(light.cos_inner),
+                       rgb, degrees_of(light.outer), degrees_of(light.inner),
                        look_at(light.position, light.direction, up));
     case shared::LIGHT_DIRECTIONAL:
         return out.add("<emitter type=\"directional\"><vector name=\"direction\" value=\"{}\"/><rgb "

@@ -15,7 +15,7 @@ namespace luxel {
 namespace {
 
 std::string numbers(glm::vec3 v) { return fmt::format("[{} {} {}]", v.x, v.y, v.z); }
-float degrees_of(float cosine) { return glm::degrees(std::acos(std::clamp(cosine, -1.0f, 1.0f))); }
+float degrees_of(float versine) { return glm::degrees(shared::versine_angle(versine)); }
 
 // pbrt's camera space is left-handed: without the mirroring, right would be left. Its angle is that of the
 // shorter side.
@@ -52,8 +52,7 @@ void add_light(ExportOutput& out, const shared::Light& light) {
         return out.add("LightSource \"spot\" \"rgb I\" {} \"point3 from\" {} \"point3 to\" {} \"float "
                        "coneangle\" [{}] \"float conedeltaangle\" [{}]\n",
                        numbers(light.intensity), numbers(light.position), numbers(to),
-                       degrees_of(light.cos_outer),
-                       degrees_of(light.cos_outer) - degrees_of(light.cos_inner));
+                       degrees_of(light.outer), degrees_of(light.outer) - degrees_of(light.inner));
     case shared::LIGHT_DIRECTIONAL:
         return out.add("LightSource \"distant\" \"rgb L\" {} \"point3 from\" {} \"point3 to\" [0 0 0]\n",
                        numbers(light.intensity), numbers(-light.direction));
