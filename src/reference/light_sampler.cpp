@@ -113,9 +113,8 @@ LightArrival LightSampler::sample_emitter(glm::vec3 from, glm::vec3 normal, floa
     arrival.wi = d / std::sqrt(r2);
     arrival.pdf = place.pdf * choice.chance;
     const std::uint32_t instance = std::uint32_t(t.instance);
-    const glm::vec3 emission = e.varies ? emission_at(*scene_, instance, t.triangle, place.uv) *
-                                              coverage_at(*scene_, instance, t.triangle, place.uv)
-                                        : t.emission;
+    if (e.varies && is_transparent(*scene_, instance, t.triangle, place.uv)) return arrival;
+    const glm::vec3 emission = e.varies ? emission_at(*scene_, instance, t.triangle, place.uv) : t.emission;
     arrival.radiance = emission / arrival.pdf;
 
     // End the shadow ray in front of the emitter, clear of its own rounding.
