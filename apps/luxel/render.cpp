@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "core/error.h"
-#include "experiments/evaluation.h"
 #include "experiments/memory_budget.h"
 #include "experiments/picture_settings.h"
 #include "experiments/technique_rows.h"
@@ -17,6 +16,8 @@
 namespace luxel::app {
 
 namespace {
+
+constexpr int warm_up_frames = 2;
 
 struct Options {
     std::string scene, output, use, size = "640x480", view = "0", cameras, frame, device;
@@ -42,18 +43,20 @@ Rendered render(const Scene& scene, const Options& o, const FrameOptions& frame,
     Rendered out{.device = gpu.device()};
     Renderer renderer(gpu, scene, frame);
     out.camera = choose_views(scene, {.file = o.cameras, .names = {o.view}})[0];
-    RenderRequest request;
-    request.camera = out.camera;
-    request.width = size.width, request.height = size.height;
-    for (const auto& technique : row.techniques) request.techniques.push_back(technique.get());
-    request.images = o.images;
-
-    // What techniques remember of the warm-up is thrown away with their row.
+    const auto request_of = [&](const TechniqueRow& of) {
+        RenderRequest request;
+        request.camera = out.camera;
+        request.width = size.width, request.height = size.height;
+        for (const auto& technique : of.techniques) request.techniques.push_back(technique.get());
+        request.images = o.images;
+        return request;
+    };
+    // Pipelines compile at their first use; what techniques remember of it is thrown away with their row.
     if (o.frames > 1) {
-        std::vector<TechniqueRow> rows;
-        rows.push_back(row_of(o));
-        warm_up(renderer, {out.camera, size.width, size.height}, rows);
+        const TechniqueRow first = row_of(o);
+        for (int i = 0; i < warm_up_frames; ++i) renderer.render(request_of(first));
     }
+    const RenderRequest request = request_of(row);
     std::vector<std::vector<gpu::PassTime>> times;
     for (int i = 0; i < o.frames; ++i) {
         out.last = renderer.render(request);
