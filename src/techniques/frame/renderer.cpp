@@ -352,7 +352,7 @@ RenderResult Renderer::render(const RenderRequest& request) {
     }
     for (const Technique* t : techniques)
         for (const std::string& warning : t->warnings()) result.warnings.push_back(warning);
-    result.mask = mask_of(depth, samples);
+    result.mask = mask_of(depth, d.options.supersample);
     if (accessibility) result.accessibility = d.gpu.read(accessibility);
     for (const std::string& name : request.images)
         result.images[name] = read_named_image(d.gpu, recorder.images(), name);
