@@ -25,7 +25,7 @@ float number_of(const glm::vec4& texel, char channel) {
         return texel.g;
     case 'b':
         return texel.b;
-    case 'm':
+    case 'a':
         return texel.a;
     default:
         return luminance(glm::vec3(texel));
@@ -183,7 +183,7 @@ Texture ObjTextures::combine(const std::vector<Texture>& textures, const Combina
     Texture out = make_texture(like, size, [&](int x, int y) {
         const glm::vec4 color = second ? resampled(*second, size, x, y) : glm::vec4(1.0f);
         return glm::vec4(srgb_encode(color.r), srgb_encode(color.g), srgb_encode(color.b),
-                         number(first, own_alpha ? 'm' : c.first.channel, x, y));
+                         number(first, own_alpha ? 'a' : c.first.channel, x, y));
     });
     out.srgb = true;
     out.pixels.has_alpha = true;

@@ -27,7 +27,7 @@ public:
     // A map of numbers, in one channel of a file.
     struct Numbers {
         TextureUse use;
-        char channel = 'l'; // r, g, b, m (alpha) or l
+        char channel = 'l'; // r, g, b, a (alpha); any other, as the parser's default m, is luminance
         explicit operator bool() const { return use.texture >= 0; }
     };
     Numbers numbers(const std::string& file, const tinyobj::texture_option_t& options);
