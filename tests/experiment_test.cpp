@@ -59,10 +59,10 @@ protected:
         all.insert(all.end(), more.begin(), more.end());
         return run_luxel(all);
     }
-    // Without the times, the last two columns.
+    // Without the times, the last nine columns.
     std::string figures(const std::string& name) {
         const std::string csv = slurp(folder_.path() / name / "results.csv");
-        return std::regex_replace(csv, std::regex(",[^,\n]*,[^,\n]*\n"), "\n");
+        return std::regex_replace(csv, std::regex("(,[^,\n]*){9}\n"), "\n");
     }
     std::size_t finished(const std::string& name) {
         std::size_t count = 0;

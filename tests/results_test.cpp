@@ -37,6 +37,7 @@ bool has_type(const Json& value, const std::string& type) {
     if (type == "number") return value.is_number();
     if (type == "number or null") return value.is_number() || value.is_null();
     if (type == "boolean") return value.is_boolean();
+    if (type == "text or null") return value.is_string() || value.is_null();
     if (type == "object or null") return value.is_object() || value.is_null();
     if (type == "object") return value.is_object();
     if (type.starts_with("array")) return value.is_array();
@@ -61,7 +62,7 @@ void expect_documented(const Json& object, const std::string& heading) {
 
 // Without what differs between two runs of the same evaluation: times, and where the reference came from.
 Json without_times(Json json) {
-    const std::set<std::string> times = {"ms", "seconds", "cached"};
+    const std::set<std::string> times = {"ms", "cost", "seconds", "cached"};
     for (auto& [key, value] : json.items()) {
         if (times.count(key))
             value = nullptr;

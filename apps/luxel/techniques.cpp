@@ -2,6 +2,8 @@
 // luxel techniques: what can follow --use, with every parameter.
 #include <cstdio>
 
+#include <fmt/ranges.h>
+
 #include "experiments/results_json.h"
 #include "options.h"
 #include "techniques/frame/frame.h"
@@ -20,6 +22,7 @@ Json describe(const std::vector<ParameterInfo>& parameters) {
                         {"type", p.type},
                         {"default", typed_value(p)},
                         {"allowed", p.allowed},
+                        {"only_with", p.when},
                         {"meaning", p.meaning}});
     return json;
 }
@@ -29,25 +32,36 @@ using Lines = std::vector<std::vector<std::string>>;
 void add_lines(Lines& lines, const std::string& heading, const std::vector<ParameterInfo>& parameters) {
     lines.push_back({""});
     lines.push_back({heading});
-    for (const ParameterInfo& p : parameters) lines.push_back({"  " + p.name, p.value, p.allowed, p.meaning});
+    for (const ParameterInfo& p : parameters)
+        lines.push_back({"  " + p.name, p.value, p.allowed,
+                         p.when.empty() ? p.meaning : fmt::format("{} (with {})", p.meaning, p.when)});
 }
 
-void run(const Global& global) {
+// By its defaults. An empty scene meets no need, so that all are listed.
+Json describe(const TechniqueInfo& info, Lines& lines) {
+    const std::unique_ptr<Technique> technique = info.make();
+    const std::vector<ParameterInfo> parameters = parameters_of(*technique);
+    Json needs = Json::array();
+    for (const Need& need : technique->needs(Scene{}, {})) needs.push_back(need.what);
+    add_lines(lines, fmt::format("{} ({}): {}", info.name, slot_name(info.slot), info.summary), parameters);
+    lines.push_back({fmt::format("  computes {}", fmt::join(technique->components(), " and "))});
+    for (const Json& need : needs) lines.push_back({fmt::format("  needs {}", need.get<std::string>())});
+    return {{"name", info.name},       {"slot", slot_name(info.slot)},
+            {"summary", info.summary}, {"components", technique->components()},
+            {"needs", needs},          {"parameters", describe(parameters)}};
+}
+
+void run(const std::string& name, const Global& global) {
+    if (!name.empty()) make_technique({name, {}}); // an unknown one is answered with those that there are
     Json json = {{"techniques", Json::array()}};
     Lines lines = {{"  parameter", "default", "allowed", "meaning"}};
-    for (const TechniqueInfo& info : all_techniques()) {
-        const std::unique_ptr<Technique> technique = info.make();
-        const std::vector<ParameterInfo> parameters = parameters_of(*technique);
-        json["techniques"].push_back({{"name", info.name},
-                                      {"slot", slot_name(info.slot)},
-                                      {"summary", info.summary},
-                                      {"parameters", describe(parameters)}});
-        add_lines(lines, fmt::format("{} ({}): {}", info.name, slot_name(info.slot), info.summary),
-                  parameters);
+    for (const TechniqueInfo& info : all_techniques())
+        if (name.empty() || name == info.name) json["techniques"].push_back(describe(info, lines));
+    if (name.empty()) {
+        FrameOptions frame;
+        json["frame"] = describe(parameters_of(frame));
+        add_lines(lines, "--frame: what every technique is built on", parameters_of(frame));
     }
-    FrameOptions frame;
-    json["frame"] = describe(parameters_of(frame));
-    add_lines(lines, "--frame: what every technique is built on", parameters_of(frame));
     if (global.json) return print_json(json);
     fmt::print("{}", in_columns(lines));
 }
@@ -57,8 +71,11 @@ void run(const Global& global) {
 void add_techniques(CLI::App& app, const Global& global) {
     CLI::App* command =
         app.add_subcommand("techniques", "List the techniques and the frame options with all parameters");
-    command->footer("Example: luxel techniques --json");
-    command->callback([&global] { run(global); });
+    auto name = std::make_shared<std::string>();
+    command->add_option("name", *name, "Only this technique");
+    command->footer("Examples: luxel techniques --json\n"
+                    "          luxel techniques isr");
+    command->callback([name, &global] { run(*name, global); });
 }
 
 } // namespace luxel::app
