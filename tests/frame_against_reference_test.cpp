@@ -181,7 +181,7 @@ Scene glazing(shared::uint type) {
     glass.base_color = {0.3f, 0.8f, 0.9f, 1.0f}, glass.ior = 1.8f;
     add(glass, {-1.5f, 1.3f, 1.4f}, {3, 0.8f, 0}, {0, 0, -3});
     add(gray, {-0.4f, 0.6f, 0.4f}, {0.8f, 0, 0}, {0, 0, -0.8f});
-    add(half, {1.2f, 0.4f, 2.5f}, {1.5f, 0, 0}, {0, 0, -1.5f});
+    add(half, {2.0f, 0.4f, 3.9f}, {1.5f, 0, 0}, {0, 0, -1.5f}); // behind no other sheet
     shared::Light light{};
     light.type = type, light.position = {0.4f, 3.5f, 0.6f};
     light.direction = glm::normalize(glm::vec3(0.2f, -1.0f, -0.3f)), light.intensity = glm::vec3(10, 12, 14);
