@@ -55,7 +55,8 @@ glm::dvec3 summed(const Scene& scene, int n) {
             for (int turned = 0; turned < (i + j + 1 < n ? 2 : 1); ++turned) {
                 const double third = turned ? 2.0 / 3.0 : 1.0 / 3.0;
                 const glm::vec2 uv((double(i) + third) / n, (double(j) + third) / n);
-                sum += glm::dvec3(emission_at(scene, 0, 0, uv)) * double(coverage_at(scene, 0, 0, uv));
+                if (!is_transparent(scene, 0, 0, uv)) // emission_at() knows what is blended
+                    sum += glm::dvec3(emission_at(scene, 0, 0, uv));
             }
     return sum / (double(n) * double(n));
 }
