@@ -47,7 +47,7 @@ ReferenceRequest reference_request(const TruthSettings& truth, const ViewTask& t
     request.camera = task.camera;
     request.settings.spp = truth.spp;
     request.settings.seed = truth.seed;
-    request.settings.pixel_center = true; // where the rasterizer samples
+    request.settings.pixel_center = !task.pixel_area; // where the rasterizer samples
     return request;
 }
 

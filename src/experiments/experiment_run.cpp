@@ -78,7 +78,8 @@ std::vector<ViewTask> tasks_of(const Experiment& experiment, const SceneEntry& e
         work.begin_group(group, chosen.size());
         for (const Camera& camera : chosen) {
             cameras.push_back(camera);
-            tasks.push_back({camera, group.width, group.height, experiment.timed_frames});
+            tasks.push_back(
+                {camera, group.width, group.height, experiment.timed_frames, entry.frame.supersample > 1});
         }
     }
     make_names_unique(cameras);

@@ -15,6 +15,7 @@ struct ViewTask {
     Camera camera;
     int width = 640, height = 480;
     int timed_frames = 5;
+    bool pixel_area = false; // of a supersampled frame: the truth integrates the pixels, too
 };
 
 struct RowFrames {

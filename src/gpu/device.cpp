@@ -218,6 +218,12 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
+void destroy_messenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger) {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
+    destroy(instance, messenger, nullptr);
+}
+
 // Hazards across submits are an experimental check that this generation of the layer takes from the
 // environment alone. The variable is read inside vkCreateInstance.
 void ask_for_submit_checks() {
@@ -269,11 +275,7 @@ Context::Context(const GpuOptions& options) {
         make_device();
     } catch (...) {
         // The destructor does not run for what was only half made.
-        if (messenger_) {
-            const auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-                vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
-            destroy_messenger(instance, messenger_, nullptr);
-        }
+        if (messenger_) destroy_messenger(instance, messenger_);
         if (instance) vkDestroyInstance(instance, nullptr);
         throw;
     }
@@ -382,11 +384,7 @@ Context::~Context() {
     trim(0);
     blocks_.reset();
     vkDestroyDevice(device, nullptr);
-    if (messenger_) {
-        const auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-            vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
-        destroy_messenger(instance, messenger_, nullptr);
-    }
+    if (messenger_) destroy_messenger(instance, messenger_);
     vkDestroyInstance(instance, nullptr);
 }
 

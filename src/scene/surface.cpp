@@ -167,7 +167,6 @@ shared::Brdf lobes_of(const Surface& s, BrdfModel model, glm::vec3 to_viewer) {
             ? shared::make_brdf(s.base_color, s.metallic, s.roughness, ior, s.specular, s.specular_color)
             : shared::make_brdf_toward(std::abs(glm::dot(s.normal, to_viewer)), s.base_color, s.metallic,
                                        s.roughness, ior, s.specular, s.specular_color);
-    brdf.diffuse *= shared::horizon_gain(s.normal, s.geometric_normal);
     return shared::scale_brdf(brdf, 1.0f - s.transmission);
 }
 

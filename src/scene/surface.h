@@ -15,7 +15,7 @@ struct Surface {
     glm::vec3 normal; // unit shading normal incl. normal map; on the ray's side it is shared::bent_normal, so
                       // it lies in the hemispheres of geometric_normal and of the ray's origin
     const Material* material;
-    // Toward the ray's origin, scaled by 1 - transmission; `diffuse` with shared::horizon_gain.
+    // Toward the ray's origin, scaled by 1 - transmission.
     shared::Brdf brdf;
     float coverage;        // share of the light that meets the surface: alpha where it is blended, else 1
     shared::Brdf coat;     // KHR_materials_clearcoat's own lobe; all that is below it has been weakened by it

@@ -60,11 +60,11 @@ struct TestRay {
 };
 std::vector<TestRay> sphere_rays(int count) {
     std::mt19937 random(5);
-    std::normal_distribution<float> normal;
+    std::normal_distribution<float> gauss;
     std::vector<TestRay> rays;
     while (int(rays.size()) < count) {
-        const vec3 n = normalize(vec3(normal(random), normal(random), normal(random)));
-        const vec3 eye = normalize(vec3(normal(random), normal(random), normal(random)));
+        const vec3 n = normalize(vec3(gauss(random), gauss(random), gauss(random)));
+        const vec3 eye = normalize(vec3(gauss(random), gauss(random), gauss(random)));
         if (dot(eye, n) > -0.1f) continue;
         const vec3 x = n * 0.4f, r = reflect(eye, n), hit = x + r * box_distance(x, r);
         const vec3 m = abs(hit);

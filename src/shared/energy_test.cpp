@@ -43,7 +43,7 @@ float diffuse_furnace(vec3 n, vec3 ng, uint count) {
     float sum = 0.0f;
     for (uint i = 0; i < count; ++i)
         if (dot(frame * sample_cosine_hemisphere(hammersley(i, count)), ng) > 0.0f) sum += 1.0f;
-    return sum / float(count) * horizon_gain(n, ng);
+    return sum / float(count) * 2.0f / (1.0f + dot(n, ng)); // the diffuse share below the horizon is lost
 }
 
 TEST(Energy, DirectionalAlbedoIsItsIntegral) {

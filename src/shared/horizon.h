@@ -58,9 +58,9 @@ LUXEL_FN vec3 bent_normal(vec3 n, vec3 ng, vec3 wo, float specular) {
 LUXEL_FN vec3 mirrored_at_horizon(vec3 w, vec3 ng) { return w - ng * (2.0f * dot(w, ng)); }
 LUXEL_FN vec3 above_horizon(vec3 w, vec3 ng) { return dot(w, ng) < 0.0f ? mirrored_at_horizon(w, ng) : w; }
 
-// The Lambertian lobe around n has (1 - n.ng) / 2 of its light below the horizon of ng: the projection of a
-// half disc minus that of half an ellipse. Where those directions are left out, the others take their share.
-LUXEL_FN float horizon_gain(vec3 n, vec3 ng) { return 2.0f / (1.0f + clamp(dot(n, ng), 0.0f, 1.0f)); }
+// The Lambertian lobe around n has (1 - n.ng) / 2 of its light below the horizon of ng (the projection of a half disc
+// minus that of half an ellipse). That share is lost, as in other renderers: what a lamp above the horizon gives to a
+// mapped surface is n.l, which files rely on.
 
 LUXEL_END
 #endif

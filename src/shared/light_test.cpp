@@ -60,10 +60,10 @@ TEST(SampledLight, WidensALobeToItsMeanOverTheSource) {
         for (float radius : {0.005f, 0.03f, 0.08f}) {
             double sum = 0.0;
             const int n = 20000;
-            for (int i = 0; i < n; ++i) { // equal areas
-                const double r2 = (i + 0.5) / n * double(radius * radius);
+            for (int i = 0; i < n; ++i) { // by area, dense at the peak
+                const double t = (i + 0.5) / n, r2 = t * t * t * t * double(radius * radius);
                 const vec3 h = normalize(vec3(float(std::sqrt(r2)), 0.0f, 1.0f));
-                sum += double(ggx_d(vec3(0, 0, 1), h, alpha)) / n;
+                sum += 4.0 * t * t * t * double(ggx_d(vec3(0, 0, 1), h, alpha)) / n;
             }
             const float cos_half = 0.7f, solid_angle = 4.0f * cos_half * PI * radius * radius;
             const float wide = widened_alpha(alpha, solid_angle, cos_half);

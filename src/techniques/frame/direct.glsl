@@ -99,7 +99,6 @@ void main() {
     vec3 wo = p.view.parallel > 0.5 ? -p.view.forward : normalize(p.view.position - position);
     vec4 d = texelFetch(diffuse, pixel, 0), s = texelFetch(specular, pixel, 0);
     Brdf brdf = Brdf(d.rgb, s.rgb, vec3(s.a), max(d.a * d.a, MIN_ALPHA));
-    brdf.diffuse *= horizon_gain(n, ng); // light below the geometric horizon is left out
     bool mirror = d.a <= 0.0;            // no light sample meets an ideal lobe
 
     vec3 sum_diffuse = vec3(0), sum_specular = vec3(0);
