@@ -131,7 +131,9 @@ struct Parallel {
 };
 
 // Edges of objects and shadows move by hundredths of a pixel, and rounding at 1000 half heights by as much:
-// two per cent; a technique that takes the rays for those of a pinhole is off by a tenth and more.
+// two per cent, and twice that of a relief, whose search along a ray from 800 m away starts from a position
+// that is rounded to .06 mm; a technique that takes the rays for those of a pinhole is off by a tenth and
+// more.
 TEST(Cameras, TechniquesTakeParallelViews) {
     for (const Parallel& c :
          {Parallel{"", "builtin:shapes-point", {3, 4, 5}, {0, 0.5f, 0}, 1.5f},
@@ -147,7 +149,7 @@ TEST(Cameras, TechniquesTakeParallelViews) {
         const Size size{96, 64};
         EXPECT_LT(relative_difference(drawn(scene, camera, size, c.technique),
                                       drawn(scene, from_afar(camera, distance), size, c.technique)),
-                  0.02)
+                  std::string_view(c.technique) == "relief" ? 0.04 : 0.02)
             << c.scene << " " << c.technique;
         if (*c.technique) continue;
         EXPECT_LT(relative_difference(traced(scene, camera, size),

@@ -307,7 +307,8 @@ TEST_F(SceneFile, ScenesFarAwayAreTheSame) {
     const float by = float(500000.0 - far.origin.x);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(far.instances[i].transform[3].x - by, near.instances[i].transform[3].x, 1e-6f);
-        EXPECT_NEAR(far.instances[i].transform[3].y + float(far.origin.y), near.instances[i].transform[3].y, 1e-7f);
+        EXPECT_NEAR(far.instances[i].transform[3].y + float(far.origin.y), near.instances[i].transform[3].y,
+                    1e-7f);
     }
     EXPECT_NEAR(far.lights[0].position.x - by, 0.75f, 1e-6f);
     EXPECT_NEAR(far.cameras[0].position.x - by, 0.125f, 1e-6f);
