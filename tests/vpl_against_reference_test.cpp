@@ -80,7 +80,8 @@ TEST(VplAgainstReference, ConvergesToTheBounceWithoutVisibility) {
         double xx = 0.0, xy = 0.0, last = 0.0;
         for (int i = 0; i < 4; ++i) {
             const double x = double(i) - 1.5;
-            last = view.error("vpls=" + std::to_string(64 << (2 * i)) + ",pattern=" + pattern,
+            last = view.error("vpls=" + std::to_string(64 << (2 * i)) +
+                                  ",visibility=none,importance=0,pattern=" + pattern,
                               "diffuse1_unoccluded");
             xx += x * x, xy += x * std::log(last) / std::log(4.0);
         }
@@ -92,7 +93,7 @@ TEST(VplAgainstReference, ConvergesToTheBounceWithoutVisibility) {
 void expect_better_with_shadow_maps(Scene scene, int size, int spp) {
     View view(std::move(scene), size, spp);
     for (const char* vpls : {"vpls=256", "vpls=1024"}) {
-        const double without = view.error(vpls, "diffuse1");
+        const double without = view.error(std::string(vpls) + ",visibility=none", "diffuse1");
         const double with = view.error(std::string(vpls) + ",visibility=imperfect_shadow_maps", "diffuse1");
         EXPECT_LT(with, without) << vpls;
     }

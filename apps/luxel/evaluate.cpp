@@ -82,7 +82,7 @@ void run(const Options& o, const Global& global) {
     const ExperimentResult result = run_experiment(
         experiment, {.device = o.device,
                      .cache = o.cache.path(),
-                     .journal = output.path() / "views",
+                     .journal = output.path() / journal_folder,
                      .quiet = global.quiet,
                      .stop = [&] { return interrupt.signal() != 0; },
                      .warn = print_warnings,

@@ -58,7 +58,7 @@ void run(const Options& o, const Global& global) {
     if (o.output.empty()) fail(Fault::usage, "command line: -o is required, unless --only-truth is given");
     const PictureFiles pictures(o.output, experiment);
     OutputFolder output(o.output);
-    options.journal = output.path() / "views";
+    options.journal = output.path() / journal_folder;
     options.pictures = [&](const SceneEntry& scene, const ViewPictures& view) {
         return pictures.add(scene, view);
     };

@@ -42,8 +42,10 @@ OutputFolder::OutputFolder(std::filesystem::path folder) : folder_(std::move(fol
 
 OutputFolder::~OutputFolder() {
     if (kept_ || first_made_.empty()) return;
-    // Innermost first; remove() refuses a folder that holds something.
+    // Innermost first, an empty folder of finished views among them; remove() refuses a folder that holds
+    // something.
     std::error_code error;
+    std::filesystem::remove(folder_ / journal_folder, error);
     for (std::filesystem::path p = std::filesystem::absolute(folder_);; p = p.parent_path()) {
         if (p.filename().empty()) continue;
         if (!std::filesystem::remove(p, error) || p == first_made_) break;

@@ -5,6 +5,9 @@
 
 namespace luxel {
 
+// Of the views that are finished, within the folder of results.
+inline constexpr const char* journal_folder = "views";
+
 // Makes the folder and proves that files can be made in it. Error Fault::io otherwise. Unless kept, what was
 // made is taken away again as far as it is empty, so that a failed run leaves nothing.
 class OutputFolder {
