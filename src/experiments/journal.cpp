@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "experiments/json_text.h"
+#include "experiments/output_folder.h"
 #include "experiments/picture_row.h"
 #include "experiments/results_json.h"
 #include "reference/content_key.h"
@@ -89,7 +90,7 @@ Journal::Journal(std::filesystem::path folder) : folder_(std::move(folder)) {
     if (folder_.empty()) return;
     std::filesystem::create_directories(folder_);
     // The system gives the lock back when the process ends, however it ends.
-    lock_ = Descriptor(open((folder_ / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    lock_ = Descriptor(open((folder_ / journal_lock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (lock_.value < 0 || flock(lock_.value, LOCK_EX | LOCK_NB) != 0)
         fail(Fault::io, "{}: finished views: {}", folder_.string(),
              errno == EWOULDBLOCK ? "another run is at work there" : std::strerror(errno));

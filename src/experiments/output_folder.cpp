@@ -45,7 +45,9 @@ OutputFolder::~OutputFolder() {
     // Innermost first, an empty folder of finished views among them; remove() refuses a folder that holds
     // something.
     std::error_code error;
-    std::filesystem::remove(folder_ / journal_folder, error);
+    const std::filesystem::path views = folder_ / journal_folder;
+    std::filesystem::remove(views / journal_lock, error);
+    std::filesystem::remove(views, error);
     for (std::filesystem::path p = std::filesystem::absolute(folder_);; p = p.parent_path()) {
         if (p.filename().empty()) continue;
         if (!std::filesystem::remove(p, error) || p == first_made_) break;

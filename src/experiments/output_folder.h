@@ -7,6 +7,7 @@ namespace luxel {
 
 // Of the views that are finished, within the folder of results.
 inline constexpr const char* journal_folder = "views";
+inline constexpr const char* journal_lock = "lock"; // its file that says that a run is at work
 
 // Makes the folder and proves that files can be made in it. Error Fault::io otherwise. Unless kept, what was
 // made is taken away again as far as it is empty, so that a failed run leaves nothing.
