@@ -14,7 +14,10 @@ namespace {
 
 class ImageDifference : public ::testing::Test {
 protected:
-    ImageDifference() : folder_(std::filesystem::path(::testing::TempDir()) / "image_difference") {
+    ImageDifference()
+        : folder_(std::filesystem::path(::testing::TempDir()) /
+                  ("image_difference_" +
+                   std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
         std::filesystem::create_directories(folder_);
     }
     ~ImageDifference() override { std::filesystem::remove_all(folder_); }
